@@ -1,0 +1,47 @@
+# make figures and make test are all that is needed on a fresh machine; both set up .venv first.
+
+PYTHON ?= python3
+CORES ?= all
+BIN := .venv/bin
+READY := $(BIN)/.ready
+LOCK := requirements/lock.txt
+PIP := $(BIN)/python -m pip --disable-pip-version-check
+SNAKEMAKE := $(BIN)/snakemake --cores $(CORES) --quiet host rules
+
+# jobs and tests run side by side, each on one thread
+ONE_THREAD := OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
+
+.DEFAULT_GOAL := help
+.PHONY: help env figures quick test lint lock
+
+help: ## list the targets
+	@sed -n 's/^\([a-z]*\):.*## /  make \1	/p' $(MAKEFILE_LIST)
+
+env: $(READY) ## set up .venv with the locked requirements and this package
+
+$(READY): $(LOCK) pyproject.toml
+	@$(PYTHON) -c 'import sys; v = sys.version.split()[0]; sys.exit(sys.version_info < (3, 11) \
+		and f"Python {v} is too old, 3.11 is needed: make PYTHON=python3.11 ...")'
+	$(PYTHON) -m venv .venv
+	$(PIP) install --quiet --requirement $(LOCK)
+	$(PIP) install --quiet --no-deps --editable .
+	@touch $@
+
+figures: $(READY) ## run the default study (config.yaml) on all cores: figures/
+	$(SNAKEMAKE)
+
+quick: $(READY) ## run the same on a coarse mesh with three strains: figures/quick/
+	$(SNAKEMAKE) --configfile config/quick.yaml
+
+test: $(READY) ## run the tests, with the quick study as one of them
+	$(ONE_THREAD) $(BIN)/python -m pytest --numprocesses auto --dist loadfile
+
+lint: $(READY) ## check style, types and workflow
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/snakefmt --check Snakefile workflow
+	$(BIN)/python workflow/lint.py
+
+lock: ## resolve the newest requirements that pyproject.toml allows
+	requirements/refresh $(PYTHON)

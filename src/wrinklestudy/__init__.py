@@ -1,0 +1,40 @@
+"""Wrinkles in stretched hyperelastic sheets.
+
+The names below are loaded when they are first used, so that a job that needs one stage imports
+only that.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from wrinklestudy.material.fit import fit
+    from wrinklestudy.material.laws import mooney_rivlin, neo_hookean, saint_venant_kirchhoff
+    from wrinklestudy.mesh import MeshSettings
+    from wrinklestudy.sheet import Sheet, State
+
+_HOMES = {
+    "MeshSettings": "wrinklestudy.mesh",
+    "Sheet": "wrinklestudy.sheet",
+    "State": "wrinklestudy.sheet",
+    "fit": "wrinklestudy.material.fit",
+    "mooney_rivlin": "wrinklestudy.material.laws",
+    "neo_hookean": "wrinklestudy.material.laws",
+    "saint_venant_kirchhoff": "wrinklestudy.material.laws",
+}
+
+__all__ = [
+    "MeshSettings",
+    "Sheet",
+    "State",
+    "fit",
+    "mooney_rivlin",
+    "neo_hookean",
+    "saint_venant_kirchhoff",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(_HOMES[name]), name)

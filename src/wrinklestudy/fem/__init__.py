@@ -1,0 +1,1 @@
+"""Finite elements on the quarter sheet."""

@@ -1,0 +1,146 @@
+"""Assembly of residuals and tangents by batched matrix products.
+
+A form is given by its point values: the gradient of the energy density with respect to the
+derivatives of each component, and the upper triangle of the Hessian. Element tangents B^T D B are
+one matrix product for each pair of components; a sparse matrix that is built once scatters them
+into the upper triangle of the global tangent.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import sparse
+
+from wrinklestudy.fem.space import Space
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Assembler:
+    """Residual and tangent of an energy over some components of a field.
+
+    Parameters
+    ----------
+    space : Space
+        The Hermite functions.
+    free : (ncomp, size) array of bool
+        The unknowns; all other degrees of freedom are prescribed.
+    derivatives : int
+        How many of the derivatives x,1 x,2 x,11 x,22 x,12 the energy depends on: 5, or 2 for a
+        membrane.
+    """
+
+    space: Space
+    free: NDArray[np.bool_]
+    derivatives: int = 5
+
+    @property
+    def pairs(self) -> list[tuple[int, int]]:
+        """Pairs of components c <= d, in the order in which Hessians are given."""
+        count = len(self.free)
+        return [(c, d) for c in range(count) for d in range(c, count)]
+
+    def entries(self, same: bool) -> list[tuple[int, int]]:
+        """Pairs of derivatives (a, b) of a Hessian block; only a <= b for equal components."""
+        return [
+            (a, b)
+            for a in range(self.derivatives)
+            for b in range(a if same else 0, self.derivatives)
+        ]
+
+    @cached_property
+    def size(self) -> int:
+        """Number of unknowns."""
+        return int(self.free.sum())
+
+    @cached_property
+    def _products(self) -> tuple[Array, Array]:
+        """Products of basis derivatives for unequal and for equal components, (pairs, points)."""
+        basis = self.space.basis
+        products = []
+        for same in (False, True):
+            left, right = np.triu_indices(16) if same else np.indices((16, 16)).reshape(2, -1)
+            rows = []
+            for a, b in self.entries(same):
+                block = basis[a][:, left] * basis[b][:, right]
+                if same and a != b:
+                    block = block + basis[b][:, left] * basis[a][:, right]
+                rows.append(block)
+            products.append(np.ascontiguousarray(np.concatenate(rows).T))
+        return products[0], products[1]
+
+    @cached_property
+    def _scatter(self) -> tuple[sparse.csr_array, sparse.csr_array]:
+        """Pattern of the upper triangle and the map from element tangents to its data."""
+        numbers = np.full(self.free.shape, -1, dtype=np.int64)
+        numbers[self.free] = np.arange(self.size)
+        element_dofs = self.space.dofs.element_dofs
+        scale = self.space.dof_scale
+        rows, columns, values = [], [], []
+        for c, d in self.pairs:
+            left, right = np.triu_indices(16) if c == d else np.indices((16, 16)).reshape(2, -1)
+            i, j = numbers[c][element_dofs[left]], numbers[d][element_dofs[right]]
+            rows.append(np.minimum(i, j).ravel())
+            columns.append(np.maximum(i, j).ravel())
+            values.append((scale[left] * scale[right]).ravel())
+        row, column = np.concatenate(rows), np.concatenate(columns)
+        value = np.concatenate(values)
+        source = np.flatnonzero(row >= 0)
+        keys, target = np.unique(row[source] * self.size + column[source], return_inverse=True)
+        scatter = sparse.csr_array((value[source], (target, source)), shape=(len(keys), len(value)))
+        indptr = np.searchsorted(keys, np.arange(self.size + 1) * self.size)
+        pattern = sparse.csr_array(
+            (np.zeros(len(keys)), (keys % self.size).astype(np.int32), indptr.astype(np.int32)),
+            shape=(self.size, self.size),
+        )
+        return pattern, scatter
+
+    def residual(self, gradient: Array) -> Array:
+        """Return the derivative of the energy with respect to every degree of freedom.
+
+        Parameters
+        ----------
+        gradient : (derivatives, ncomp, nq, ne) array
+            Derivative of the energy density.
+
+        Returns
+        -------
+        (ncomp, size) array
+            With the reactions at the prescribed degrees of freedom.
+        """
+        space = self.space
+        count, components = gradient.shape[:2]
+        weighted = gradient * space.measure * space.derivative_scale[:count, None, None]
+        basis = space.basis[:count].reshape(-1, 16).T
+        local = np.matmul(basis, weighted.swapaxes(0, 1).reshape(components, basis.shape[1], -1))
+        local *= space.dof_scale
+        residual = np.empty((components, space.size))
+        target = space.dofs.element_dofs.ravel()
+        for component in range(components):
+            residual[component] = np.bincount(target, local[component].ravel(), space.size)
+        return residual
+
+    def tangent(self, hessian: list[Array]) -> sparse.csr_array:
+        """Return the upper triangle of the tangent on the unknowns.
+
+        Parameters
+        ----------
+        hessian : list of (entries, nq, ne) arrays
+            One block of second derivatives of the energy density for each of `pairs`, with the
+            rows of `entries`. The blocks are overwritten.
+        """
+        space = self.space
+        parts = []
+        for (c, d), block in zip(self.pairs, hessian, strict=True):
+            index = np.array(self.entries(c == d))
+            scale = space.derivative_scale[index[:, 0]] * space.derivative_scale[index[:, 1]]
+            block *= scale[:, None]
+            block *= space.measure
+            products = self._products[int(c == d)]
+            parts.append((products @ block.reshape(products.shape[1], -1)).ravel())
+        pattern, scatter = self._scatter
+        data = scatter @ np.concatenate(parts)
+        return sparse.csr_array((data, pattern.indices, pattern.indptr), shape=pattern.shape)

@@ -1,0 +1,181 @@
+"""Hermite fields on the quarter sheet: dofs, quadrature, evaluation and boundary conditions."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from skfem import MeshQuad
+from skfem.assembly.dofs import Dofs
+from skfem.quadrature import get_quadrature
+
+from wrinklestudy.fem.element import CORNERS, ORDERS, ElementQuadHermite, reference_basis
+from wrinklestudy.mesh import Grid
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Parity = Literal["antisymmetric", "symmetric"]
+
+# The derivatives of the plate energy, in the order used everywhere: x,1  x,2  x,11  x,22  x,12
+DERIVATIVES = ((1, 0), (0, 1), (2, 0), (0, 2), (1, 1))
+
+
+@dataclass(frozen=True)
+class Space:
+    """Bicubic Hermite functions on a tensor grid of the quarter sheet.
+
+    Parameters
+    ----------
+    grid : Grid
+        Grid lines in units of W.
+    order : int
+        Degree of polynomials in each direction that the Gauss rule integrates exactly. Degree 5
+        (3 x 3 points) keeps the order of convergence; on the same mesh the amplitude of wrinkles
+        is nearer to its limit than with degree 7, which is a little too stiff.
+    """
+
+    grid: Grid
+    order: int = 5
+
+    @cached_property
+    def mesh(self) -> MeshQuad:
+        """The scikit-fem mesh, local axes along x and y, vertices in the order of the grid."""
+        nodes = np.array(np.meshgrid(self.grid.x, self.grid.y, indexing="ij")).reshape(2, -1)
+        numbers = np.arange(nodes.shape[1]).reshape(len(self.grid.x), len(self.grid.y))
+        corners = (numbers[:-1, :-1], numbers[1:, :-1], numbers[1:, 1:], numbers[:-1, 1:])
+        return MeshQuad(nodes, np.stack([corner.ravel() for corner in corners]))
+
+    @cached_property
+    def dofs(self) -> Dofs:
+        """The scikit-fem numbering of the degrees of freedom of one component."""
+        return Dofs(self.mesh, ElementQuadHermite())
+
+    @property
+    def size(self) -> int:
+        """Number of degrees of freedom of one component."""
+        return int(self.dofs.N)
+
+    @cached_property
+    def cell_sizes(self) -> Array:
+        """Width and height of each cell, shape (2, ne)."""
+        sides = np.meshgrid(np.diff(self.grid.x), np.diff(self.grid.y), indexing="ij")
+        return np.array(sides).reshape(2, -1)
+
+    @cached_property
+    def quadrature(self) -> tuple[Array, Array]:
+        """Points (2, nq) and weights (nq,) of the Gauss rule on the unit square."""
+        points, weights = get_quadrature(ElementQuadHermite.refdom, self.order)
+        return points, weights
+
+    @cached_property
+    def basis(self) -> Array:
+        """Derivatives of the local functions at the Gauss points of a unit cell, (5, nq, 16)."""
+        points, _ = self.quadrature
+        return np.array([reference_basis(points, d).T for d in DERIVATIVES])
+
+    @cached_property
+    def dof_scale(self) -> Array:
+        """Factors from global dofs to those of a unit cell, shape (16, ne)."""
+        wide, high = self.cell_sizes
+        return np.array([wide ** o[0] * high ** o[1] for _ in CORNERS for o in ORDERS])
+
+    @cached_property
+    def derivative_scale(self) -> Array:
+        """Factors from derivatives on a unit cell to those in x and y, shape (5, ne)."""
+        wide, high = self.cell_sizes
+        return np.array([wide ** -d[0] * high ** -d[1] for d in DERIVATIVES])
+
+    @cached_property
+    def measure(self) -> Array:
+        """Area that belongs to each Gauss point, shape (nq, ne)."""
+        _, weights = self.quadrature
+        return np.outer(weights, self.cell_sizes.prod(axis=0))
+
+    def derivatives(self, field: Array, count: int = 5) -> Array:
+        """Evaluate derivatives x,1 x,2 x,11 x,22 x,12 at the Gauss points.
+
+        Parameters
+        ----------
+        field : (ncomp, size) array
+            Degrees of freedom of the components.
+        count : int
+            How many of the five derivatives to return: 2 for a membrane.
+
+        Returns
+        -------
+        (count, ncomp, nq, ne) array
+        """
+        components, (points, cell_count) = len(field), self.measure.shape
+        local = field[:, self.dofs.element_dofs] * self.dof_scale
+        basis = self.basis[:count].reshape(-1, 16)
+        values = np.matmul(basis, local).reshape(components, count, points, cell_count)
+        values *= self.derivative_scale[:count, None]
+        return np.ascontiguousarray(values.swapaxes(0, 1))
+
+    def field_from_nodes(self, values: Array) -> Array:
+        """Return dof vectors (..., size) from grid arrays (..., 4, nx + 1, ny + 1)."""
+        field = np.empty((*values.shape[:-3], self.size))
+        field[..., self.dofs.nodal_dofs] = values.reshape(*values.shape[:-2], -1)
+        return field
+
+    def nodes_from_field(self, field: Array) -> Array:
+        """Return grid arrays (..., 4, nx + 1, ny + 1) from dof vectors (..., size)."""
+        shape = (len(self.grid.x), len(self.grid.y))
+        nodal: Array = field[..., self.dofs.nodal_dofs]
+        return nodal.reshape(*field.shape[:-1], 4, *shape)
+
+    @cached_property
+    def coordinates(self) -> Array:
+        """The undeformed position X, Y, 0 as a field, shape (3, size)."""
+        values = np.zeros((3, 4, len(self.grid.x), len(self.grid.y)))
+        values[0, 0], values[0, 1] = self.grid.x[:, None], 1.0
+        values[1, 0], values[1, 2] = self.grid.y, 1.0
+        return self.field_from_nodes(values)
+
+    def edge_dofs(self, edge: Literal["middle", "clamp", "midline"], names: list[str]) -> Indices:
+        """Return the dofs of the given names on a mirror line or on the clamp."""
+        axis, position = {
+            "middle": (0, self.grid.x[0]),
+            "clamp": (0, self.grid.x[-1]),
+            "midline": (1, self.grid.y[0]),
+        }[edge]
+        tolerance = 1e-9 * float(self.grid.x[-1])
+        facets = self.mesh.facets_satisfying(
+            lambda x: np.abs(x[axis] - position) < tolerance, boundaries_only=True
+        )
+        return np.asarray(self.dofs.get_facet_dofs(facets).all(names), dtype=np.int64)
+
+    def free(
+        self, parity: Parity = "antisymmetric", keeps_x: bool = True, keeps_y: bool = True
+    ) -> NDArray[np.bool_]:
+        """Mark the free degrees of freedom of the three components.
+
+        The clamp holds x, y, z and z,x with all their derivatives along it. On the mirror lines an
+        odd component vanishes and an even one has no normal slope; the state itself is odd in x
+        (component x), odd in y (component y) and, for the antisymmetric parity, odd in y
+        (component z).
+
+        Parameters
+        ----------
+        parity : {'antisymmetric', 'symmetric'}
+            Of the deflection of the state across y = 0.
+        keeps_x, keeps_y : bool
+            False for perturbations that break the mirror of the state at x = 0 or at y = 0: all
+            their parities are the opposite ones.
+
+        Returns
+        -------
+        (3, size) array of bool
+        """
+        free = np.ones((3, self.size), dtype=bool)
+        odd_in_x = (True, False, False)
+        odd_in_y = (False, True, parity == "antisymmetric")
+        clamp = (["u", "u_y"], ["u", "u_y"], ["u", "u_x", "u_y", "u_xy"])
+        for component in range(3):
+            along = ["u", "u_y"] if odd_in_x[component] == keeps_x else ["u_x", "u_xy"]
+            across = ["u", "u_x"] if odd_in_y[component] == keeps_y else ["u_y", "u_xy"]
+            free[component, self.edge_dofs("middle", along)] = False
+            free[component, self.edge_dofs("midline", across)] = False
+            free[component, self.edge_dofs("clamp", clamp[component])] = False
+        return free

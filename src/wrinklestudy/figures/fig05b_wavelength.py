@@ -1,0 +1,42 @@
+"""Fig. 5b: wavelength over width against strain, with 0.8 times Cerda and Mahadevan's.
+
+lambda_CM = sqrt(2 pi L t) / [3 (1 - nu^2) eps]^(1/4) with nu = 1/2.
+"""
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from wrinklestudy import theory
+from wrinklestudy.figures import style
+from wrinklestudy.figures.against_strain import (
+    extremes,
+    finish,
+    largest_strain,
+    points,
+    styled,
+)
+from wrinklestudy.figures.inputs import Inputs
+
+_COLUMN = "wavelength_over_width"
+
+
+def draw(inputs: Inputs) -> Figure:
+    """Draw lambda/W of the wrinkled states against strain and the closed form beside it."""
+    series = inputs.sheet_series()
+    figure, axes = style.panel()
+    for one, look in styled(series):
+        axes.plot(one.column("strain"), one.column(_COLUMN), look.line, color=look.color, lw=0.8)
+        points(axes, one, look, _COLUMN)
+    strain = largest_strain(series) * np.linspace(0.02, 1.0, 300)
+    for aspect, thickness in sorted({(one.aspect, one.thickness) for one in series}):
+        closed = theory.cm_wavelength(strain, aspect, thickness, factor=theory.WAVELENGTH_FACTOR)
+        axes.plot(strain, closed, ":", color=style.BLACK, label=_closed_form_label())
+    axes.set_ylabel(r"$\lambda/W$")
+    shortest, longest = extremes(series, _COLUMN)
+    axes.set_ylim(0.65 * shortest, 1.25 * longest)
+    finish(figure, axes, series)
+    return figure
+
+
+def _closed_form_label() -> str:
+    return rf"${theory.WAVELENGTH_FACTOR:g}\,\lambda_{{\mathrm{{CM}}}}$, $\nu = 1/2$"

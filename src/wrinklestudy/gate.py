@@ -1,0 +1,46 @@
+"""Gate stage: the last word on a finished study, whether enough of its cases converged."""
+
+import csv
+from collections import Counter
+from os import PathLike, fspath
+
+from wrinklestudy.store import write_json
+
+Path = str | PathLike[str]
+
+_CASE = ("material", "aspect", "thickness", "strain")
+_SHOWN = 5
+
+
+class GateError(ValueError):
+    """More cases than allowed have not converged."""
+
+
+def run(metrics: Path, allow_not_converged: int, output: Path) -> None:
+    """Count the cases by status and write the counts, if enough of them converged.
+
+    Parameters
+    ----------
+    metrics : path-like
+        Table of the metrics stage.
+    allow_not_converged : int
+        Number of cases that may have the status ``not-converged``.
+    output : path-like
+        JSON file with the counts.
+
+    Raises
+    ------
+    GateError
+        If there are more; the message names the first of them. Nothing is written.
+    """
+    with open(metrics, newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    failed = [row for row in rows if row["status"] == "not-converged"]
+    if len(failed) > allow_not_converged:
+        shown = [" ".join(f"{key}={row[key]}" for key in _CASE) for row in failed[:_SHOWN]]
+        more = ["..."] if len(failed) > _SHOWN else []
+        raise GateError(
+            f"{fspath(metrics)}: {len(failed)} of {len(rows)} cases have not converged "
+            f"(gate.allow_not_converged = {allow_not_converged}): {'; '.join(shown + more)}"
+        )
+    write_json(output, {"cases": len(rows), "by_status": Counter(row["status"] for row in rows)})

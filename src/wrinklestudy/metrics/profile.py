@@ -1,0 +1,234 @@
+"""Profiles across the sheet: from a computed state or from a laser scan."""
+
+import csv
+from collections.abc import Callable
+from dataclasses import dataclass
+from os import PathLike, fspath
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import make_smoothing_spline
+
+from wrinklestudy.metrics.interpolant import evaluate, subdivided, unfolded_across
+
+Array = NDArray[np.float64]
+
+SAMPLES_PER_CELL = 64
+LEAST_POINTS = 8
+
+# Penalties of the smoothing spline that are tried, points at unit spacing.
+_PENALTIES = 10.0 ** np.arange(-2.0, 10.0, 0.25)
+
+
+@dataclass(frozen=True)
+class Profile:
+    """A cross-section of the sheet.
+
+    Parameters
+    ----------
+    y : ndarray, shape (n,)
+        Deformed coordinate across the sheet, strictly increasing, over the full width.
+    z : ndarray, shape (n,)
+        Deflection, in the unit of ``y``.
+    x : ndarray, shape (n,), optional
+        Deformed coordinate along the pull (zero on the line half-way between the clamps).
+    """
+
+    y: Array
+    z: Array
+    x: Array | None = None
+
+    def __post_init__(self) -> None:
+        """Refuse what has no width.
+
+        Raises
+        ------
+        ValueError
+            If the shapes differ, there are fewer than 8 points, a number is not finite or ``y``
+            does not increase.
+        """
+        if self.y.ndim != 1 or self.y.shape != self.z.shape:
+            raise ValueError(f"profile: y {self.y.shape} and z {self.z.shape} must be two columns")
+        if len(self.y) < LEAST_POINTS:
+            raise ValueError(f"profile: {len(self.y)} points, at least {LEAST_POINTS} are needed")
+        if not (np.isfinite(self.y).all() and np.isfinite(self.z).all()):
+            raise ValueError("profile: y and z must be finite")
+        if not (np.diff(self.y) > 0.0).all():
+            raise ValueError("profile: y must increase strictly")
+
+
+def profile_from_state(
+    grid_x: Array,
+    grid_y: Array,
+    position: Array,
+    parity: str,
+    x: float = 0.0,
+    per_cell: int = SAMPLES_PER_CELL,
+) -> Profile:
+    """Return the cross-section of a computed state on the material line X = ``x``.
+
+    Parameters
+    ----------
+    grid_x, grid_y : ndarray, shapes (nx + 1,) and (ny + 1,)
+        Node coordinates of the quarter in units of W.
+    position : ndarray, shape (3, 4, nx + 1, ny + 1)
+        Bicubic Hermite degrees of freedom of the deformed position in units of W.
+    parity : str
+        ``antisymmetric`` (z odd in Y) or ``symmetric``.
+    x : float
+        Reference coordinate of the line, between 0 (half-way between the clamps) and L/2.
+    per_cell : int
+        Samples of the finite element interpolant per cell.
+
+    Returns
+    -------
+    Profile
+        Over the full width, in units of W, in deformed coordinates.
+
+    Raises
+    ------
+    ValueError
+        If the line is outside the sheet or the parity is unknown.
+    """
+    if not grid_x[0] <= abs(x) <= grid_x[-1]:
+        raise ValueError(f"x = {x:g}: must lie between 0 and L/2 = {grid_x[-1]:g} (in units of W)")
+    full_y, full = unfolded_across(grid_y, position, parity)
+    points = subdivided(full_y, per_cell)
+    line = evaluate(grid_x, full_y, full, np.array([abs(x)]), points)[:, 0, :]
+    return Profile(y=line[1], z=line[2], x=np.copysign(line[0], x))
+
+
+def read_profile_csv(path: str | PathLike[str]) -> Profile:
+    """Read a scanned profile: a CSV table with the columns ``y`` and ``w``.
+
+    The first line that is neither blank nor a comment (``#``) names the columns, in any order, and
+    others are left alone. ``y`` runs across the sheet from edge to edge, ``w`` is the deflection;
+    both in one length unit, which is the unit of everything measured on the profile. A scan from
+    high to low ``y`` is turned round. Nothing is removed: see `cleaned`.
+
+    Parameters
+    ----------
+    path : path-like
+        CSV file.
+
+    Returns
+    -------
+    Profile
+
+    Raises
+    ------
+    ValueError
+        If a column is missing, an entry is not a finite number or ``y`` is not monotonic; one
+        line that names the file and, where there is one, the line.
+    """
+    name = fspath(path)
+    with Path(path).open(newline="", encoding="utf-8") as file:
+        lines = [(k, line) for k, line in enumerate(file, 1) if _is_data(line)]
+    rows = list(csv.reader(line for _, line in lines))
+    header = [entry.strip() for entry in rows[0]] if rows else []
+    for column in ("y", "w"):
+        if column not in header:
+            found = ", ".join(header) or "nothing"
+            raise ValueError(f"{name}: column {column!r} is missing (needs y and w, has {found})")
+    index = [header.index("y"), header.index("w")]
+    table = [
+        [_number(row, i, f"{name}, line {k}") for i in index]
+        for (k, _), row in zip(lines[1:], rows[1:], strict=True)
+    ]
+    values = np.array(table, dtype=float).reshape(-1, 2)
+    if len(values) > 1 and values[0, 0] > values[-1, 0]:
+        values = values[::-1]
+    try:
+        return Profile(y=values[:, 0].copy(), z=values[:, 1].copy())
+    except ValueError as error:
+        raise ValueError(f"{name}: {error}") from None
+
+
+def _is_data(line: str) -> bool:
+    return bool(line.strip()) and not line.lstrip().startswith("#")
+
+
+def _number(row: list[str], column: int, where: str) -> float:
+    text = row[column].strip() if column < len(row) else ""
+    try:
+        value = float(text)
+    except ValueError:
+        value = np.nan
+    if not np.isfinite(value):
+        raise ValueError(f"{where}: {text!r} must be a finite number")
+    return value
+
+
+def cleaned(profile: Profile, samples: int = 4096) -> Profile:
+    """Return a scanned profile without noise, offset and tilt, densely sampled.
+
+    The noise is removed by a cubic smoothing spline, without which the arc length would be that of
+    the noise; how much is smoothed follows from the noise of the points (`noise_level`). Offset and
+    tilt, which the set-up of a scanner leaves, are removed as the least-squares straight line
+    through the smooth profile. A computed state needs none of it: its clamps lie at z = 0.
+
+    Parameters
+    ----------
+    profile : Profile
+        As scanned.
+    samples : int
+        Points of the result, equally spaced.
+
+    Returns
+    -------
+    Profile
+        Same width and units.
+    """
+    smooth = _smooth(profile, noise_level(profile))
+    y = np.linspace(profile.y[0], profile.y[-1], samples)
+    z = smooth(y)
+    centred = y - y.mean()
+    tilt = (centred @ z) / (centred @ centred)
+    return Profile(y=y, z=z - z.mean() - tilt * centred)
+
+
+def noise_level(profile: Profile) -> float:
+    """Return the standard deviation of the noise of single points.
+
+    Each inner point is compared with the straight line between its neighbours, which is free
+    of the wrinkle as long as there are many points per wavelength (Gasser, Sroka and
+    Jennen-Steinmetz, Biometrika 73, 625, 1986).
+
+    Parameters
+    ----------
+    profile : Profile
+        As scanned.
+
+    Returns
+    -------
+    float
+        In the unit of the profile.
+    """
+    y, z = profile.y, profile.z
+    left = (y[2:] - y[1:-1]) / (y[2:] - y[:-2])
+    right = 1.0 - left
+    misfit = left * z[:-2] + right * z[2:] - z[1:-1]
+    return float(np.sqrt(np.mean(misfit**2 / (1.0 + left**2 + right**2))))
+
+
+def _smooth(profile: Profile, noise: float) -> Callable[[Array], Array]:
+    """Return the cubic smoothing spline of the least expected error (Mallows' C_p).
+
+    C_p = mean squared residual + 2 noise^2 tr(S)/n, where S is the matrix that smooths. On points
+    of unit spacing it damps the wave number k by 1/(1 + p k^4), p the penalty; the integral of that
+    over k gives tr(S) = n p^(-1/4) / (2 sqrt 2), besides the 2 of the straight line.
+    """
+    count = len(profile.y)
+    spacing = (profile.y[-1] - profile.y[0]) / (count - 1)
+    scale = max(float(np.abs(profile.z).max()), 1e-300)
+    steps = (profile.y - profile.y[0]) / spacing  # so that the penalty means the same in any unit
+    best, lowest = None, np.inf
+    for penalty in _PENALTIES:
+        spline = make_smoothing_spline(steps, profile.z / scale, lam=penalty)
+        freedom = min(count / (2.0 * np.sqrt(2.0) * penalty**0.25) + 2.0, count)
+        residual = spline(steps) - profile.z / scale
+        error = np.mean(residual**2) + 2.0 * (noise / scale) ** 2 * freedom / count
+        if error < lowest:
+            best, lowest = spline, error
+    return lambda y: scale * np.asarray(best((y - profile.y[0]) / spacing))

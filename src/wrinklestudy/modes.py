@@ -1,0 +1,312 @@
+"""Critical thicknesses of the flat state, their modes and the reduced energy of small wrinkles.
+
+For a deflection w of a flat state the energy is t/2 w.S w + t^3/2 w.B w, S (stress) and B (bending)
+independent of t. The eigenproblem -S phi = tau^2 B phi gives critical thicknesses tau_1 > tau_2 >
+...: the flat sheet is unstable exactly when t < tau_1.
+
+With w = sum q_i phi_i and the in-plane displacement that relaxes the stress which w causes at
+second order, the energy above the flat state is, for each unit of thickness,
+
+    1/2 sum (t^2 - tau_i^2) q_i^2 + 1/2 sum z_P G_PQ z_Q,    z_P = q_i q_j for the pair P = (i, j).
+
+All but t is independent of the thickness, so that it seeds the wrinkled state of every sheet.
+"""
+
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import sparse
+
+from wrinklestudy import plate
+from wrinklestudy.fem.assembly import Assembler
+from wrinklestudy.fem.linear import NotPositiveDefiniteError, Solver, make_solver, multiply
+from wrinklestudy.fem.space import Parity
+from wrinklestudy.flat import Flat
+from wrinklestudy.plate import Bending
+
+Array = NDArray[np.float64]
+
+# A mode is one of the corner when more than half of its bending energy sits beyond these parts of
+# half the length and half the width.
+_CORNER = (0.8, 0.6)
+CORNER_PART = 0.5
+_FIRST_TRIAL = 2.0e-3
+_LARGEST_TRIAL = 1.0
+
+
+@dataclass(frozen=True)
+class Modes:
+    """Leading modes of a flat state within one parity.
+
+    Parameters
+    ----------
+    parity : {'antisymmetric', 'symmetric'}
+        Of the deflection across y = 0.
+    bending : {'thinning', 'fixed-thickness', 'fvk'}
+        The bending law.
+    squared : (m,) array
+        tau_i^2 in units of W^2, falling; negative where no thickness makes the mode unstable.
+    shapes : (m, size) array
+        Modes as dof vectors with phi_i . B phi_j = delta_ij.
+    corner : (m,) array
+        Part of the bending energy that sits at the corner of clamp and free edge.
+    quartic : (p, p) array
+        G of the reduced energy over the pairs i <= j (both orders of a pair counted).
+    relaxation : (p, 2, size) array
+        In-plane displacement that belongs to z_P = 1.
+    """
+
+    parity: Parity
+    bending: Bending
+    squared: Array
+    shapes: Array
+    corner: Array
+    quartic: Array
+    relaxation: Array
+
+    @property
+    def thickness(self) -> Array:
+        """Critical thicknesses tau_i in units of W, zero where the mode is always stable."""
+        return np.sqrt(np.maximum(self.squared, 0.0))
+
+    @property
+    def wrinkles(self) -> NDArray[np.bool_]:
+        """Which modes are wrinkles of the sheet, not flaps of its corners."""
+        return self.corner < CORNER_PART
+
+    @property
+    def critical_thickness(self) -> float:
+        """Largest critical thickness tau_1 of a wrinkle, in units of W."""
+        return float(self.thickness[self.wrinkles].max(initial=0.0))
+
+
+def deflection_matrices(
+    flat: Flat, bending: Bending, parity: Parity, keeps_x: bool = True
+) -> tuple[sparse.csr_array, sparse.csr_array, Assembler, Array]:
+    """Return the upper triangles of S and B, their assembler and the point values of B."""
+    space = flat.space
+    position = np.zeros((3, space.size))
+    position[:2] = flat.position
+    stress, bent = plate.deflection(flat.law, bending, space.derivatives(position))
+    assembler = Assembler(space, space.free(parity, keeps_x)[2:], 5)
+    return assembler.tangent([stress]), assembler.tangent([bent.copy()]), assembler, bent
+
+
+class Spectrum(NamedTuple):
+    """Leading critical thicknesses squared, modes and the part of their energy at the corner."""
+
+    squared: Array
+    shapes: Array
+    corner: Array
+
+
+def spectrum(
+    flat: Flat,
+    bending: Bending = "thinning",
+    parity: Parity = "antisymmetric",
+    count: int = 8,
+    solver: Solver | None = None,
+) -> Spectrum:
+    """Return the largest critical thicknesses of a flat state and their modes, see `Modes`.
+
+    Parameters
+    ----------
+    flat : Flat
+        The flat equilibrium.
+    bending : {'thinning', 'fixed-thickness', 'fvk'}
+        The bending law.
+    parity : {'antisymmetric', 'symmetric'}
+        Of the deflection across y = 0.
+    count : int
+        Number of modes.
+    solver : Solver, optional
+        A factorisation to reuse.
+
+    Raises
+    ------
+    ArithmeticError
+        If the flat sheet is unstable at any thickness up to W.
+    """
+    stress, bent, assembler, points = deflection_matrices(flat, bending, parity)
+    squared, vectors = _eigen(stress, bent, count, solver or make_solver())
+    shapes = np.zeros((count, flat.space.size))
+    shapes[:, assembler.free[0]] = vectors.T
+    return Spectrum(squared, shapes, _corner_part(flat, points, shapes))
+
+
+def critical_thickness(
+    flat: Flat, bending: Bending = "thinning", parity: Parity = "antisymmetric"
+) -> float:
+    """Return tau_1, the largest critical thickness of a wrinkle, in units of W.
+
+    Modes of the corners are passed over; zero where no thickness wrinkles.
+    """
+    count, solver = 2, make_solver()
+    while True:
+        squared, _, corner = spectrum(flat, bending, parity, count, solver)
+        wrinkles = squared[corner < CORNER_PART]
+        if len(wrinkles) > 0 or squared[-1] <= 0.0:
+            return float(np.sqrt(max(wrinkles.max(initial=0.0), 0.0)))
+        count *= 2
+
+
+def critical_modes(
+    flat: Flat,
+    bending: Bending = "thinning",
+    parity: Parity = "antisymmetric",
+    count: int = 8,
+) -> Modes:
+    """Return the leading modes of a flat state with the reduced energy of their amplitudes.
+
+    See `spectrum` for the parameters and errors.
+    """
+    solver = make_solver()
+    squared, shapes, corner = spectrum(flat, bending, parity, count, solver)
+    quartic, relaxation = _reduced(flat, shapes, solver)
+    return Modes(parity, bending, squared, shapes, corner, quartic, relaxation)
+
+
+def _eigen(
+    stress: sparse.csr_array, bent: sparse.csr_array, count: int, solver: Solver
+) -> tuple[Array, Array]:
+    """Solve -S phi = mu B phi for the largest mu, by shift and invert above the spectrum."""
+    from scipy.sparse.linalg import LinearOperator, eigsh
+
+    trial = _FIRST_TRIAL
+    while True:
+        shifted = sparse.csr_array(
+            (stress.data + trial**2 * bent.data, stress.indices, stress.indptr), shape=stress.shape
+        )
+        try:
+            solver.factorise(shifted)
+            break
+        except NotPositiveDefiniteError:
+            trial *= 2.0
+            if trial > _LARGEST_TRIAL:
+                raise ArithmeticError("the flat sheet is unstable at any thickness") from None
+    size = stress.shape[0]
+
+    def operator(action: Any) -> LinearOperator:
+        return LinearOperator((size, size), matvec=action, dtype=np.float64)
+
+    squared, vectors = eigsh(
+        operator(lambda v: -multiply(stress, v)),
+        k=count,
+        M=operator(lambda v: multiply(bent, v)),
+        sigma=trial**2,
+        OPinv=operator(lambda v: -solver.solve(v)),
+        v0=np.ones(size),
+    )
+    order = np.argsort(squared)[::-1]
+    vectors = vectors[:, order]
+    largest = np.abs(vectors).argmax(axis=0)
+    return squared[order], vectors * np.sign(vectors[largest, np.arange(count)])
+
+
+def _corner_part(flat: Flat, bent: Array, shapes: Array) -> Array:
+    """Return the part of the bending energy of each mode at the corner of the sheet."""
+    space = flat.space
+    values = space.derivatives(shapes)
+    entries = [(a, b) for a in range(5) for b in range(a, 5)]
+    density = np.zeros(values.shape[1:])
+    for row, (a, b) in enumerate(entries):
+        density += (1.0 if a == b else 2.0) * bent[row] * values[a] * values[b]
+    by_cell = (density * space.measure).sum(axis=1)
+    x, y = np.meshgrid(space.grid.x[:-1], space.grid.y[:-1], indexing="ij")
+    corner = (x > _CORNER[0] * space.grid.x[-1] - 1e-9) & (y > _CORNER[1] * space.grid.y[-1] - 1e-9)
+    part: Array = by_cell[:, corner.ravel()].sum(axis=1) / by_cell.sum(axis=1)
+    return part
+
+
+def pairs(count: int) -> list[tuple[int, int]]:
+    """Return the pairs of modes i <= j in the order of `Modes.quartic`."""
+    return [(i, j) for i in range(count) for j in range(i, count)]
+
+
+def _reduced(flat: Flat, shapes: Array, solver: Solver) -> tuple[Array, Array]:
+    """Return the quartic form G and the in-plane displacements of the reduced energy."""
+    space, assembler = flat.space, Assembler(flat.space, flat.space.free()[:2], 2)
+    tangents = space.derivatives(flat.position, 2)
+    _, _, blocks = plate.membrane(flat.law, tangents)
+    solver.factorise(assembler.tangent(blocks))
+    stiffness = plate.membrane_stiffness(flat.law, tangents)
+    slopes = space.derivatives(shapes, 2)
+    strains, forces, loads = [], [], []
+    for i, j in pairs(len(shapes)):
+        twice = 1.0 if i == j else 2.0
+        first, second = slopes[:, i], slopes[:, j]
+        mixed = 0.5 * (first[0] * second[1] + first[1] * second[0])
+        strain = twice * np.stack([first[0] * second[0], first[1] * second[1], mixed])
+        force = np.einsum("km...,m...->k...", stiffness, strain)
+        load = assembler.residual(plate.membrane_gradient(force, tangents))
+        strains.append(strain.reshape(-1))
+        forces.append((force * space.measure).reshape(-1))
+        loads.append(load[assembler.free])
+    load_matrix = np.array(loads)
+    answers = -solver.solve(load_matrix.T).T
+    relaxation = np.zeros((len(loads), 2, space.size))
+    relaxation[:, assembler.free] = answers
+    quartic = np.array(strains) @ np.array(forces).T + load_matrix @ answers.T
+    return 0.5 * (quartic + quartic.T), relaxation
+
+
+def seeds(modes: Modes, thickness: float) -> list[Array]:
+    """Return the minima of the reduced energy for a thickness, the lowest first.
+
+    Parameters
+    ----------
+    modes : Modes
+    thickness : float
+        t in units of W.
+
+    Returns
+    -------
+    list of (m,) arrays
+        Amplitudes q of the modes; empty where no wrinkle is unstable.
+    """
+    from scipy.optimize import minimize
+
+    active = np.flatnonzero(modes.wrinkles)
+    index = pairs(len(modes.squared))
+    first, second = np.array(index).T
+
+    def energy(part: Array) -> tuple[float, Array]:
+        q = np.zeros(len(modes.squared))
+        q[active] = part
+        z = q[first] * q[second]
+        gz = modes.quartic @ z
+        slope = (thickness**2 - modes.squared) * q
+        value = 0.5 * float(slope @ q) + 0.5 * float(z @ gz)
+        np.add.at(slope, first, gz * q[second])
+        np.add.at(slope, second, gz * q[first])
+        return value / scale, slope[active] / scale
+
+    found: list[tuple[float, Array]] = []
+    scale = 1.0
+    for mode in active[modes.squared[active] > thickness**2]:
+        excess = modes.squared[mode] - thickness**2
+        stiff = modes.quartic[index.index((mode, mode)), index.index((mode, mode))]
+        start = np.zeros(len(active))
+        start[active == mode] = np.sqrt(excess / (2.0 * stiff))
+        # a small admixture of the others leaves the saddle that a pure mode may be
+        start += 1e-3 * np.abs(start).max()
+        scale = excess * float(start @ start)
+        result = minimize(energy, start, jac=True, method="BFGS")
+        q = np.zeros(len(modes.squared))
+        q[active] = result.x
+        value = result.fun * scale
+        if all(abs(value - other) > 1e-6 * abs(other) for other, _ in found):
+            found.append((value, q))
+    return [q for _, q in sorted(found, key=lambda pair: pair[0])]
+
+
+def seed_position(flat: Flat, modes: Modes, amplitudes: Array) -> Array:
+    """Return the position (3, size) that belongs to amplitudes q of the modes."""
+    first, second = np.array(pairs(len(amplitudes))).T
+    position = np.empty((3, flat.space.size))
+    products = amplitudes[first] * amplitudes[second]
+    position[:2] = flat.position + np.tensordot(products, modes.relaxation, axes=1)
+    position[2] = amplitudes @ modes.shapes
+    return position

@@ -1,0 +1,294 @@
+"""The wrinkle stage: the wrinkled equilibrium of one sheet at one strain.
+
+No path is followed: the state starts from the flat state plus the modes with amplitudes that
+minimise the reduced energy, and the full energy is minimised from there. It is accepted where the
+residual is small, the tangent positive definite and the energy below that of the flat state.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import sparse
+
+from wrinklestudy import newton, plate
+from wrinklestudy.fem.assembly import Assembler
+from wrinklestudy.fem.linear import make_solver
+from wrinklestudy.flat import Flat
+from wrinklestudy.material import laws
+from wrinklestudy.modes import Modes, seed_position, seeds
+from wrinklestudy.planar import Planar
+from wrinklestudy.planar import read as read_planar
+from wrinklestudy.store import write_h5
+
+Array = NDArray[np.float64]
+Status = Literal["wrinkled", "flat", "not-converged"]
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Options of the wrinkle stage.
+
+    Parameters
+    ----------
+    tolerance : float
+        Part of the energy below which the Newton decrement must fall.
+    max_iterations : int
+        Limit of Newton iterations for each seed.
+    seeds : int
+        How many different seeds to minimise from at the most; the lowest energy is kept.
+    """
+
+    tolerance: float = 1.0e-20
+    max_iterations: int = 60
+    seeds: int = 1
+
+
+@dataclass(frozen=True)
+class Equilibrium:
+    """State of one sheet at one strain.
+
+    Parameters
+    ----------
+    planar : Planar
+        The flat state it belongs to.
+    thickness : float
+        t/W.
+    status : {'wrinkled', 'flat', 'not-converged'}
+    reason : str
+        Why it did not converge, else empty.
+    position : (3, size) array or None
+        Position as dof vectors in units of W; the last iterate where it did not converge.
+    energy, flat_energy : float
+        Of the quarter sheet in units of mu W^3, NaN where unknown.
+    nominal_stress : float
+        Force at the clamp / (W t) in units of mu.
+    unstable_directions : int
+        Negative eigenvalues of the tangent within the parity of the state; -1 where unknown.
+    residual : float
+        Last Newton decrement in parts of the energy.
+    history : tuple of newton.Iteration
+    """
+
+    planar: Planar
+    thickness: float
+    status: Status
+    reason: str
+    position: Array | None
+    energy: float
+    flat_energy: float
+    nominal_stress: float
+    unstable_directions: int
+    residual: float
+    history: tuple[newton.Iteration, ...]
+
+
+class PlateProblem:
+    """Energy of the sheet over its free dofs, in units of mu W^3."""
+
+    def __init__(self, flat: Flat, modes: Modes, thickness: float) -> None:
+        self.flat = flat
+        self.modes = modes
+        self.section = plate.Section(flat.law, thickness, modes.bending)
+        self.assembler = Assembler(flat.space, flat.space.free(modes.parity), 5)
+        self._shift: sparse.csr_array | None = None
+        self._prescribed = np.zeros((3, flat.space.size))
+        self._prescribed[:2] = flat.position
+
+    def position(self, unknowns: Array) -> Array:
+        """Return the dof vectors (3, size) with the prescribed values in place."""
+        field = self._prescribed.copy()
+        field[self.assembler.free] = unknowns
+        return field
+
+    def energy(self, unknowns: Array) -> float:
+        """Return the energy, infinite where the surface or its thickness degenerates."""
+        space = self.assembler.space
+        with np.errstate(all="ignore"):
+            density = plate.energy(self.section, space.derivatives(self.position(unknowns)))
+        total = float((density * space.measure).sum())
+        return total if np.isfinite(total) else np.inf
+
+    def derivatives(self, unknowns: Array) -> tuple[float, Array, sparse.csr_array]:
+        """Return the energy, the residual and the upper triangle of the tangent."""
+        space, assembler = self.assembler.space, self.assembler
+        surface = plate.surface(space.derivatives(self.position(unknowns)), self.section.bending)
+        density = self.section.energy(surface.metric, surface.curvature)
+        parts = self.section.derivatives(surface.metric, surface.curvature)
+        residual = assembler.residual(plate.gradient(surface, parts))[assembler.free]
+        tangent = assembler.tangent(plate.hessian(surface, parts))
+        return float((density * space.measure).sum()), residual, tangent
+
+    def reactions(self, unknowns: Array) -> Array:
+        """Return the residual at every dof, (3, size); the reactions are at the prescribed ones."""
+        surface = plate.surface(
+            self.assembler.space.derivatives(self.position(unknowns)), self.section.bending
+        )
+        parts = self.section.derivatives(surface.metric, surface.curvature)
+        return self.assembler.residual(plate.gradient(surface, parts))
+
+    def shift(self) -> sparse.csr_array:
+        """Return t B on the deflection: it lifts all modes of the flat state by the same amount."""
+        if self._shift is None:
+            space = self.assembler.space
+            _, bent = plate.deflection(
+                self.flat.law, self.section.bending, space.derivatives(self._prescribed)
+            )
+            blocks = [
+                np.zeros((len(self.assembler.entries(c == d)), *space.measure.shape))
+                for c, d in self.assembler.pairs
+            ]
+            blocks[-1] = self.section.thickness * bent
+            self._shift = self.assembler.tangent(blocks)
+        return self._shift
+
+
+def solve(planar: Planar, thickness: float, settings: Settings | None = None) -> Equilibrium:
+    """Return the equilibrium of a sheet of thickness t/W from its planar state.
+
+    Where t exceeds the critical thickness tau_1 the flat state is the answer.
+
+    Parameters
+    ----------
+    planar : Planar
+    thickness : float
+        t/W.
+    settings : Settings, optional
+
+    Raises
+    ------
+    ValueError
+        If the thickness is not positive.
+    """
+    if not thickness > 0:
+        raise ValueError(f"thickness = {thickness:g}: must be > 0 (in units of W)")
+    settings = settings or Settings()
+    if planar.flat is None or planar.modes is None:
+        nan = float("nan")
+        return Equilibrium(
+            planar, thickness, "not-converged", planar.reason, None, nan, nan, nan, -1, nan, ()
+        )
+    if thickness >= planar.modes.critical_thickness:
+        return _flat(planar, planar.flat, planar.modes, thickness)
+    problem = PlateProblem(planar.flat, planar.modes, thickness)
+    best: Equilibrium | None = None
+    for amplitudes in seeds(planar.modes, thickness)[: settings.seeds]:
+        start = seed_position(planar.flat, planar.modes, amplitudes)
+        found = _wrinkled(planar, problem, start, settings)
+        if best is None or _rank(found) < _rank(best):
+            best = found
+    if best is None:
+        raise RuntimeError("no seed although the flat state is unstable")
+    return best
+
+
+def _rank(state: Equilibrium) -> tuple[bool, float]:
+    return state.status == "not-converged", state.energy
+
+
+def _flat(planar: Planar, flat: Flat, modes: Modes, thickness: float) -> Equilibrium:
+    position = np.zeros((3, flat.space.size))
+    position[:2] = flat.position
+    energy = thickness * flat.energy
+    unstable = int(np.sum(modes.squared > thickness**2))
+    residual = abs(flat.history[-1].decrement) / flat.energy
+    return Equilibrium(
+        planar, thickness, "flat", "", position, energy, energy, flat.force, unstable, residual, ()
+    )
+
+
+def _wrinkled(
+    planar: Planar, problem: PlateProblem, start: Array, settings: Settings
+) -> Equilibrium:
+    """Minimise the energy from a seed and check what was found."""
+    flat, modes = problem.flat, problem.modes
+    thickness, solver = problem.section.thickness, make_solver()
+    options = newton.Options(
+        tolerance=settings.tolerance,
+        max_iterations=settings.max_iterations,
+        first_shift=0.25 * (modes.squared[0] - thickness**2),
+    )
+    found = newton.minimise(problem, start[problem.assembler.free], solver, options)
+    flat_energy = thickness * flat.energy
+    clamp = flat.space.edge_dofs("clamp", ["u"])
+    force = 2.0 * float(problem.reactions(found.unknowns)[0, clamp].sum()) / thickness
+    reason = found.reason
+    if not reason and not found.energy < flat_energy:
+        reason = "the energy is not below that of the flat state"
+    unstable = 0
+    if reason:
+        unstable = -1 if found.tangent is None else solver.negative(found.tangent)
+    last = found.history[-1].decrement if found.history else float("nan")
+    return Equilibrium(
+        planar,
+        thickness,
+        "not-converged" if reason else "wrinkled",
+        reason,
+        problem.position(found.unknowns),
+        found.energy,
+        flat_energy,
+        force,
+        unstable,
+        last / flat_energy,
+        found.history,
+    )
+
+
+def run(
+    planar: Path | str, thickness: float, settings: Mapping[str, Any], output: Path | str
+) -> None:
+    """Solve one sheet at one strain from its planar file and write the state.
+
+    Parameters
+    ----------
+    planar : path
+        HDF5 file of the planar stage.
+    thickness : float
+        t/W.
+    settings : mapping
+        Keys of `Settings`.
+    output : path
+        HDF5 file to write.
+    """
+    write(solve(read_planar(planar), thickness, Settings(**settings)), output)
+
+
+def write(state: Equilibrium, output: Path | str) -> None:
+    """Write a state as an HDF5 file; the position is in the layout of the grid."""
+    planar = state.planar
+    datasets: dict[str, Any] = {"grid/x": planar.grid.x, "grid/y": planar.grid.y}
+    if state.position is not None and planar.flat is not None:
+        datasets["position"] = planar.flat.space.nodes_from_field(state.position)
+    datasets["history"] = np.array(state.history).reshape(-1, len(newton.Iteration._fields))
+    along, across = planar.grid.cells
+    modes = planar.modes
+    attrs = {
+        "units": "lengths in W, stresses in the initial shear modulus mu, energies in mu W^3",
+        "material": planar.name,
+        **laws.describe(planar.material),
+        "shear_modulus_pa": planar.material.shear_modulus,
+        "young_modulus_pa": planar.material.young_modulus,
+        "poisson": planar.material.law.poisson,
+        "bending": planar.settings.bending,
+        "parity": planar.settings.parity,
+        "aspect": planar.grid.aspect,
+        "thickness": state.thickness,
+        "strain": planar.strain,
+        "status": state.status,
+        "reason": state.reason,
+        "energy": state.energy,
+        "flat_energy": state.flat_energy,
+        "nominal_stress": state.nominal_stress,
+        "nominal_stress_pa": state.nominal_stress * planar.material.shear_modulus,
+        "critical_thickness": float("nan") if modes is None else modes.critical_thickness,
+        "unstable_directions": state.unstable_directions,
+        "newton_iterations": len(state.history),
+        "residual": state.residual,
+        "history_columns": list(newton.Iteration._fields),
+        "cells_along": along,
+        "cells_across": across,
+    }
+    write_h5(output, datasets, attrs)

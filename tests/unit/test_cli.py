@@ -1,0 +1,133 @@
+"""Command line and library example: keys, exit status, one line for bad input."""
+
+import json
+import math
+
+import pytest
+
+from wrinklestudy.cli import main
+
+COARSE = ["--cells-along", "10", "--cells-across", "16"]
+SHEET = ["--aspect", "2", "--thickness", "1e-3", "--c10", "6.21e4", "--c01", "1.58e5", *COARSE]
+KEYS = {
+    "strain",
+    "status",
+    "amplitude_over_thickness",
+    "wavelength_over_width",
+    "arc_width_over_width",
+    "projected_width_over_width",
+    "phi_squared",
+    "shape_constant",
+    "nominal_stress_pa",
+    "unstable_directions",
+    "newton_iterations",
+    "seconds",
+}
+
+
+def test_solve_prints_a_list_with_one_object_per_strain(capsys):
+    assert main(["solve", *SHEET, "--strain", "0.01", "--strain", "0.1", "--json"]) == 0
+    out, err = capsys.readouterr()
+    flat, wrinkled = json.loads(out)
+    assert set(flat) >= KEYS
+    assert set(wrinkled) == set(flat)
+    assert (flat["status"], wrinkled["status"]) == ("flat", "wrinkled")
+    assert flat["amplitude_over_thickness"] == 0
+    assert flat["wavelength_over_width"] is None
+    assert wrinkled["amplitude_over_thickness"] > 1
+    assert "strain 0.1" in err
+
+
+def test_stability_prints_birth_decay_and_table(capsys):
+    assert main(["stability", *SHEET, "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert 0.02 < found["birth_strain"] < 0.03
+    assert 0.35 < found["decay_strain"] < 0.45
+    strains = [row[0] for row in found["critical_thickness"]]
+    assert strains == sorted(strains)
+
+
+def test_a_thick_sheet_has_null_for_birth_and_decay(capsys):
+    thick = [*SHEET]
+    thick[3] = "3e-3"
+    assert main(["stability", *thick, "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["birth_strain"] is None
+    assert found["decay_strain"] is None
+
+
+def test_svk_needs_no_constants(capsys):
+    arguments = ["--aspect", "2", "--thickness", "1e-3", "--law", "svk", *COARSE]
+    assert main(["solve", *arguments, "--strain", "0.05", "--json"]) == 0
+    (state,) = json.loads(capsys.readouterr().out)
+    slope = state["nominal_stress_pa"] / 0.05
+    assert slope == pytest.approx(1e6, rel=0.15)  # the clamps stiffen the sheet a little
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (["--strain", "5"], "--strain = 5: must be > 0 and <= 1"),
+        (["--strain", "0.1", "--thickness", "-1"], "thickness = -1: must be > 0"),
+        (["--strain", "0.1", "--aspect", "0"], "aspect = 0: must be"),
+        (["--strain", "0.1", "--young", "1e6"], "--young: not a constant of mooney-rivlin"),
+        (["--strain", "0.1", "--c10", "-1"], "c10 = -1"),
+        (["--strain", "0.1", "--cells-along", "1"], "--cells-along = 1: must be >= 2"),
+        (["--strain", "0.1", "--law", "neo-hookean"], "--c01: not a constant of neo-hookean"),
+    ],
+)
+def test_bad_input_is_one_line_and_status_2(capsys, change, message):
+    assert main(["solve", *SHEET, *change]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.count("\n") == 1
+    assert message in err
+
+
+def test_a_missing_constant_is_named(capsys):
+    arguments = ["--aspect", "2", "--thickness", "1e-3", "--c10", "1", "--strain", "0.1"]
+    assert main(["solve", *arguments]) == 2
+    assert "--c01: mooney-rivlin needs it" in capsys.readouterr().err
+
+
+def test_a_word_instead_of_a_number_is_refused(capsys):
+    with pytest.raises(SystemExit) as stop:
+        main(["solve", *SHEET, "--strain", "much"])
+    assert stop.value.code == 2
+    assert "'much' is not a finite number" in capsys.readouterr().err
+
+
+def test_fit_recovers_constants_from_a_csv(tmp_path, capsys):
+    rows = ["strain,stress_pa"]
+    for k in range(1, 30):
+        stretch = 1 + k / 50
+        stress = 2 * (stretch - stretch**-2) * (3e4 + 1e5 / stretch)
+        rows.append(f"{stretch - 1!r},{stress!r}")
+    file = tmp_path / "data.csv"
+    file.write_text("\n".join(rows) + "\n")
+    assert main(["fit", str(file), "--law", "mooney-rivlin", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)["constants_pa"]
+    assert found["c10"] == pytest.approx(3e4, rel=1e-6)
+    assert found["c01"] == pytest.approx(1e5, rel=1e-6)
+
+
+def test_fit_names_a_missing_file(tmp_path, capsys):
+    assert main(["fit", str(tmp_path / "none.csv")]) == 2
+    assert "none.csv" in capsys.readouterr().err
+
+
+def test_text_output_has_no_nan(capsys):
+    assert main(["solve", *SHEET, "--strain", "0.01"]) == 0
+    out = capsys.readouterr().out
+    assert "flat" in out
+    assert "nan" not in out
+
+
+def test_library_example_solves_a_sheet():
+    from wrinklestudy import MeshSettings, Sheet, mooney_rivlin
+
+    latex = mooney_rivlin(c10=6.21e4, c01=1.58e5)
+    sheet = Sheet(aspect=2, thickness=1e-3, material=latex, mesh=MeshSettings(10, 16))
+    state = sheet.solve(strain=0.1)
+    assert state.status == "wrinkled"
+    assert math.isfinite(state.measures.amplitude)

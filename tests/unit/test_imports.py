@@ -1,0 +1,81 @@
+"""Imports point one way, and a job imports no more than it needs."""
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import wrinklestudy
+
+ROOT = Path(wrinklestudy.__file__).parent
+
+# A module may import from the rows above its own, and from its own row.
+LAYERS = [
+    {
+        "store",
+        "cases",
+        "theory",
+        "material",
+        "digest",
+        "config_errors",
+        "config_values",
+        "gate",
+        "joblog",
+    },
+    {"mesh"},
+    {"fem"},
+    {"plate", "newton"},
+    {"flat"},
+    {"modes"},
+    {"planar"},
+    {"stability", "wrinkle"},
+    {"metrics"},
+    {"figures", "sheet"},
+    {"config", "config_errors", "config_values", "cli", "__init__"},
+]
+
+
+def modules():
+    for path in sorted(ROOT.rglob("*.py")):
+        relative = path.relative_to(ROOT).with_suffix("")
+        yield relative.parts[0], path
+
+
+def imported(path):
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.ImportFrom) and node.module:
+            yield node.module, [alias.name for alias in node.names]
+        elif isinstance(node, ast.Import):
+            for alias in node.names:
+                yield alias.name, []
+
+
+def test_imports_point_one_way():
+    level = {name: k for k, names in enumerate(LAYERS) for name in names}
+    wrong = []
+    for name, path in modules():
+        assert name in level, f"{path}: not in the layers of the architecture"
+        for module, names in imported(path):
+            parts = module.split(".")
+            if parts[0] != "wrinklestudy":
+                continue
+            targets = [parts[1]] if len(parts) > 1 else names
+            wrong += [f"{path.name} imports {t}" for t in targets if level[t] > level[name]]
+    assert not wrong
+
+
+def test_the_library_never_imports_snakemake():
+    for _, path in modules():
+        assert not [m for m, _ in imported(path) if m.split(".")[0] == "snakemake"], path
+
+
+@pytest.mark.parametrize("module", ["planar", "stability", "wrinkle"])
+def test_solver_jobs_do_not_import_heavy_packages(module):
+    code = (
+        f"import sys, wrinklestudy.{module};"
+        "print([m for m in ('pandas', 'matplotlib', 'pydantic', 'meshio') if m in sys.modules])"
+    )
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert found.stdout.strip() == "[]"

@@ -1,0 +1,63 @@
+"""The minimiser on an energy with a saddle: it leaves the saddle, and it says when it fails."""
+
+import numpy as np
+import pytest
+from scipy import sparse
+
+from wrinklestudy.fem.linear import make_solver
+from wrinklestudy.newton import Options, minimise
+
+
+class DoubleWell:
+    """E = 1 + (x^2 - 1)^2 / 4 + 5 (y - x)^2: a saddle at 0, minima at x = y = +-1."""
+
+    def __init__(self, shifts=True):
+        self.shifts = shifts
+
+    def energy(self, u):
+        x, y = u
+        return 1 + (x**2 - 1) ** 2 / 4 + 5 * (y - x) ** 2
+
+    def derivatives(self, u):
+        x, y = u
+        residual = np.array([x**3 - x - 10 * (y - x), 10 * (y - x)])
+        tangent = np.array([[3 * x**2 - 1 + 10, -10], [0.0, 10]])
+        return self.energy(u), residual, sparse.csr_array(tangent)
+
+    def shift(self):
+        return sparse.csr_array(np.array([[1.0, 1e-300], [0.0, 1.0]])) if self.shifts else None
+
+
+@pytest.mark.parametrize("start", [(0.01, 0.0), (-0.2, 0.3), (5.0, -3.0)])
+def test_finds_a_minimum_from_an_indefinite_start(start):
+    found = minimise(DoubleWell(), np.array(start), make_solver(), Options())
+    assert found.converged
+    assert np.allclose(np.abs(found.unknowns), 1.0, atol=1e-9)
+    assert found.history[-1].shift == 0.0
+    energies = [row.energy for row in found.history]
+    assert np.all(np.diff(energies) <= 1e-12)
+
+
+def test_stays_off_the_saddle_even_where_the_residual_vanishes():
+    """At the saddle the residual is zero, but the tangent is indefinite: not a minimum."""
+    found = minimise(DoubleWell(), np.zeros(2), make_solver(), Options(max_iterations=5))
+    assert not found.converged
+    assert np.all(found.unknowns == 0)
+
+
+def test_reports_the_limit_of_iterations_with_history():
+    found = minimise(DoubleWell(), np.array([5.0, -3.0]), make_solver(), Options(max_iterations=2))
+    assert not found.converged
+    assert found.reason == "no convergence in 2 iterations"
+    assert len(found.history) == 2
+
+
+def test_reports_an_indefinite_tangent_without_shifts():
+    found = minimise(DoubleWell(False), np.array([0.01, 0.0]), make_solver(), Options())
+    assert "indefinite" in found.reason
+
+
+@pytest.mark.parametrize(("key", "value"), [("tolerance", 0.0), ("max_iterations", 0)])
+def test_refuses_options_without_sense(key, value):
+    with pytest.raises(ValueError, match=key):
+        Options(**{key: value})

@@ -1,0 +1,83 @@
+"""The quick study runs from measured curve to figures, and what it leaves can be trusted."""
+
+import csv
+import json
+
+import pytest
+
+from wrinklestudy.figures import FIGURES
+
+pytestmark = [pytest.mark.workflow, pytest.mark.xdist_group("workflow")]
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_each_figure_is_there_in_both_formats(finished_quick, name):
+    figures = finished_quick.folder / "figures" / "quick"
+    pdf, png = ((figures / f"{name}{suffix}").read_bytes() for suffix in (".pdf", ".png"))
+    assert pdf.startswith(b"%PDF")
+    assert b"%%EOF" in pdf[-20:]
+    assert png.startswith(b"\x89PNG")
+    assert png.endswith(b"IEND\xaeB`\x82")
+    assert min(len(pdf), len(png)) > 5_000
+
+
+def test_the_table_has_one_row_for_each_case_and_no_hole(finished_quick):
+    results = finished_quick.folder / "results" / "quick"
+    with open(results / "metrics" / "metrics.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [float(row["strain"]) for row in rows] == [0.1, 0.2, 0.32]
+    # the sheet of the paper is wrinkled between 0.025 and 0.4, at any mesh worth the name
+    assert [row["status"] for row in rows] == ["wrinkled"] * 3
+    assert json.loads((results / "gate" / "gate.json").read_text())["cases"] == 3
+
+
+def test_nothing_is_written_outside_the_folders_of_the_quick_study(finished_quick):
+    for name in ("results", "figures"):
+        assert [path.name for path in (finished_quick.folder / name).iterdir()] == ["quick"]
+
+
+def test_no_temporary_file_is_left(finished_quick):
+    results = finished_quick.folder / "results"
+    assert [path for path in results.rglob(".*") if path.name != ".snakemake_timestamp"] == []
+
+
+def test_a_lost_result_comes_back_bit_for_bit_and_moves_nothing_else(study):
+    lost = study.folder / "results/quick/wrinkle/latex/aspect2_thickness0.001/strain0.2.h5"
+    content = lost.read_bytes()
+    lost.unlink()
+    run = study.snakemake(str(lost.relative_to(study.folder)))
+    assert run.returncode == 0, run.stderr
+    assert lost.read_bytes() == content
+    assert study.planned() == []
+
+
+def test_a_job_that_fails_says_why_in_one_line_and_the_log_has_the_rest(study):
+    study.edit("data/treloar1944.csv", "stretch,", "strech,")
+    run = study.snakemake("results/quick/material/treloar.json")
+    assert run.returncode != 0
+    lines = [line for line in run.stderr.splitlines() if "treloar1944.csv" in line]
+    assert any("column 'strech' is unknown" in line for line in lines), run.stderr
+    assert "Traceback" not in run.stderr
+    log = study.folder / "results/quick/log/material/treloar.log"
+    assert "Traceback" in log.read_text()
+
+
+def statuses(study):
+    table = study.folder / "results" / "quick" / "metrics" / "metrics.csv"
+    with open(table, newline="") as file:
+        return [(row["status"], int(row["newton_iterations"])) for row in csv.DictReader(file)]
+
+
+def test_the_gate_fails_the_run_when_a_case_has_not_converged(study):
+    needed = max(iterations for _, iterations in statuses(study))
+    study.edit("config.yaml", "max_iterations: 60", f"max_iterations: {needed - 1}")
+    run = study.snakemake("--quiet", "all")
+    failed = sum(status == "not-converged" for status, _ in statuses(study))
+    assert 0 < failed < 3
+    assert run.returncode != 0
+    line = f"{failed} of 3 cases have not converged (gate.allow_not_converged = 0)"
+    assert line in run.stderr
+
+    study.edit("config.yaml", "allow_not_converged: 0", f"allow_not_converged: {failed}")
+    assert [job.rule for job in study.planned()] == ["gate"]
+    assert study.snakemake("--quiet", "all").returncode == 0

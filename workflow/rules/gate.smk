@@ -1,0 +1,17 @@
+# Last of all, so that the figures are there to look at when it fails.
+rule gate:
+    input:
+        all_figures(),
+        metrics=PATHS.pattern("metrics"),
+    output:
+        PATHS.pattern("gate"),
+    log:
+        PATHS.log("gate"),
+    threads: 1
+    resources:
+        mem_mb=200,
+    params:
+        allow_not_converged=STUDY.gate.allow_not_converged,
+        code=code("gate"),
+    script:
+        "../scripts/gate.py"

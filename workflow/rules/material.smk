@@ -1,0 +1,17 @@
+rule material:
+    input:
+        csv=material_setting("data"),
+    output:
+        PATHS.pattern("material"),
+    log:
+        PATHS.log("material"),
+    threads: 1
+    resources:
+        mem_mb=500,
+    params:
+        law=material_setting("law"),
+        stretch=material_setting("stretch"),
+        modes=material_setting("modes"),
+        code=code("material"),
+    script:
+        "../scripts/material.py"

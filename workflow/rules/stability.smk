@@ -1,0 +1,20 @@
+rule stability:
+    input:
+        planar=planar_of_sheet,
+        mesh=mesh_of_sheet,
+        material=PATHS.pattern("material"),
+    output:
+        PATHS.pattern("stability"),
+    log:
+        PATHS.log("stability"),
+    benchmark:
+        PATHS.benchmark("stability")
+    threads: 1
+    resources:
+        mem_mb=1500,
+    params:
+        thickness=value("thickness"),
+        settings=STUDY.settings("stability"),
+        code=code("stability"),
+    script:
+        "../scripts/stability.py"

@@ -1,0 +1,18 @@
+rule wrinkle:
+    input:
+        planar_of_case,
+    output:
+        PATHS.pattern("wrinkle"),
+    log:
+        PATHS.log("wrinkle"),
+    benchmark:
+        PATHS.benchmark("wrinkle")
+    threads: 1
+    resources:
+        mem_mb=1500,
+    params:
+        thickness=value("thickness"),
+        settings=STUDY.settings("wrinkle"),
+        code=code("wrinkle"),
+    script:
+        "../scripts/wrinkle.py"

@@ -1,0 +1,17 @@
+"""Whether enough of the cases have converged."""
+
+from typing import TYPE_CHECKING
+
+from wrinklestudy.joblog import log_to
+
+if TYPE_CHECKING:
+    from snakemake.iocontainers import snakemake
+
+with log_to(snakemake.log[0]):
+    from wrinklestudy import gate
+
+    gate.run(
+        metrics=snakemake.input.metrics,
+        allow_not_converged=snakemake.params.allow_not_converged,
+        output=snakemake.output[0],
+    )
