@@ -9,7 +9,8 @@ second order, the energy above the flat state is, for each unit of thickness,
 
     1/2 sum (t^2 - tau_i^2) q_i^2 + 1/2 sum z_P G_PQ z_Q,    z_P = q_i q_j for the pair P = (i, j).
 
-All but t is independent of the thickness, so that it seeds the wrinkled state of every sheet.
+All but t is independent of the thickness, so that it seeds the wrinkled state of every sheet
+(`reduced`).
 """
 
 from dataclasses import dataclass
@@ -250,63 +251,3 @@ def _reduced(flat: Flat, shapes: Array, solver: Solver) -> tuple[Array, Array]:
     relaxation[:, assembler.free] = answers
     quartic = np.array(strains) @ np.array(forces).T + load_matrix @ answers.T
     return 0.5 * (quartic + quartic.T), relaxation
-
-
-def seeds(modes: Modes, thickness: float) -> list[Array]:
-    """Return the minima of the reduced energy for a thickness, the lowest first.
-
-    Parameters
-    ----------
-    modes : Modes
-    thickness : float
-        t in units of W.
-
-    Returns
-    -------
-    list of (m,) arrays
-        Amplitudes q of the modes; empty where no wrinkle is unstable.
-    """
-    from scipy.optimize import minimize
-
-    active = np.flatnonzero(modes.wrinkles)
-    index = pairs(len(modes.squared))
-    first, second = np.array(index).T
-
-    def energy(part: Array) -> tuple[float, Array]:
-        q = np.zeros(len(modes.squared))
-        q[active] = part
-        z = q[first] * q[second]
-        gz = modes.quartic @ z
-        slope = (thickness**2 - modes.squared) * q
-        value = 0.5 * float(slope @ q) + 0.5 * float(z @ gz)
-        np.add.at(slope, first, gz * q[second])
-        np.add.at(slope, second, gz * q[first])
-        return value / scale, slope[active] / scale
-
-    found: list[tuple[float, Array]] = []
-    scale = 1.0
-    for mode in active[modes.squared[active] > thickness**2]:
-        excess = modes.squared[mode] - thickness**2
-        stiff = modes.quartic[index.index((mode, mode)), index.index((mode, mode))]
-        start = np.zeros(len(active))
-        start[active == mode] = np.sqrt(excess / (2.0 * stiff))
-        # a small admixture of the others leaves the saddle that a pure mode may be
-        start += 1e-3 * np.abs(start).max()
-        scale = excess * float(start @ start)
-        result = minimize(energy, start, jac=True, method="BFGS")
-        q = np.zeros(len(modes.squared))
-        q[active] = result.x
-        value = result.fun * scale
-        if all(abs(value - other) > 1e-6 * abs(other) for other, _ in found):
-            found.append((value, q))
-    return [q for _, q in sorted(found, key=lambda pair: pair[0])]
-
-
-def seed_position(flat: Flat, modes: Modes, amplitudes: Array) -> Array:
-    """Return the position (3, size) that belongs to amplitudes q of the modes."""
-    first, second = np.array(pairs(len(amplitudes))).T
-    position = np.empty((3, flat.space.size))
-    products = amplitudes[first] * amplitudes[second]
-    position[:2] = flat.position + np.tensordot(products, modes.relaxation, axes=1)
-    position[2] = amplitudes @ modes.shapes
-    return position

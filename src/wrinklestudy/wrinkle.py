@@ -19,9 +19,10 @@ from wrinklestudy.fem.assembly import Assembler
 from wrinklestudy.fem.linear import make_solver
 from wrinklestudy.flat import Flat
 from wrinklestudy.material import laws
-from wrinklestudy.modes import Modes, seed_position, seeds
+from wrinklestudy.modes import Modes
 from wrinklestudy.planar import Planar
 from wrinklestudy.planar import read as read_planar
+from wrinklestudy.reduced import seed_position, seeds
 from wrinklestudy.store import write_h5
 
 Array = NDArray[np.float64]

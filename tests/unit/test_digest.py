@@ -135,10 +135,3 @@ def test_no_stage_imports_the_command_line_or_the_config():
     for script in scripts.glob("*.py"):
         found = modules(script)
         assert not {"wrinklestudy.cli", "wrinklestudy.config"} & found.keys(), script.name
-
-
-def test_the_library_does_not_import_snakemake():
-    for path in (SOURCE / "wrinklestudy").rglob("*.py"):
-        text = path.read_text()
-        assert "import snakemake" not in text, path
-        assert "from snakemake" not in text, path

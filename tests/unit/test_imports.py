@@ -28,7 +28,7 @@ LAYERS = [
     {"fem"},
     {"plate", "newton"},
     {"flat"},
-    {"modes"},
+    {"modes", "reduced"},
     {"planar"},
     {"stability", "wrinkle"},
     {"metrics"},

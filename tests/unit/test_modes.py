@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from wrinklestudy import flat, modes
+from wrinklestudy import flat, modes, reduced
 from wrinklestudy.fem.linear import make_solver
 from wrinklestudy.fem.space import Space
 from wrinklestudy.material.laws import mooney_rivlin
@@ -54,15 +54,15 @@ def test_reduced_energy_is_the_energy_of_small_wrinkles(state):
     free = problem.assembler.free
     direction = np.array([1.0, -0.4, 0.3])
     first, second = np.array(modes.pairs(3)).T
-    flat_energy = problem.energy(modes.seed_position(state, found, 0 * direction)[free])
+    flat_energy = problem.energy(reduced.seed_position(state, found, 0 * direction)[free])
 
     def remainder(size):
         q = size * direction
         z = q[first] * q[second]
         quartic = 0.5 * z @ found.quartic @ z
-        reduced = 0.5 * np.sum((thickness**2 - found.squared) * q**2) + quartic
-        full = problem.energy(modes.seed_position(state, found, q)[free]) - flat_energy
-        return (full / thickness - reduced) / quartic
+        expected = 0.5 * np.sum((thickness**2 - found.squared) * q**2) + quartic
+        full = problem.energy(reduced.seed_position(state, found, q)[free]) - flat_energy
+        return (full / thickness - expected) / quartic
 
     # In parts of the quartic term the remainder falls like the amplitude squared. The sheet is
     # so thin that the part of bending in the quartic term, smaller by (t k)^2, does not show.
@@ -75,7 +75,7 @@ def test_reduced_energy_is_the_energy_of_small_wrinkles(state):
 def test_seeds_are_stationary_and_below_the_flat_state(state):
     found, thickness = modes.critical_modes(state, count=4), 8e-4
     assert np.sum(found.thickness > thickness) >= 2
-    seeds = modes.seeds(found, thickness)
+    seeds = reduced.seeds(found, thickness)
     first, second = np.array(modes.pairs(4)).T
 
     def energy(q):
@@ -94,7 +94,7 @@ def test_seeds_are_stationary_and_below_the_flat_state(state):
 
 def test_a_thick_sheet_has_no_seeds(state):
     found = modes.critical_modes(state, count=3)
-    assert modes.seeds(found, 1.01 * found.critical_thickness) == []
+    assert reduced.seeds(found, 1.01 * found.critical_thickness) == []
 
 
 def test_corner_modes_of_a_uniform_grid_are_recognised():

@@ -48,7 +48,7 @@ def test_the_residual_vanishes_in_an_independent_check(flat_state, wrinkled):
 
 
 def test_other_seeds_and_large_amplitudes_end_in_the_same_state(flat_state, wrinkled):
-    from wrinklestudy.modes import seed_position
+    from wrinklestudy.reduced import seed_position
 
     problem = wrinkle.PlateProblem(flat_state.flat, flat_state.modes, 1e-3)
     scale = 1e-3 / np.abs(flat_state.modes.shapes[0]).max()

@@ -87,13 +87,21 @@ class Assembler:
             columns.append(np.maximum(i, j).ravel())
             values.append((scale[left] * scale[right]).ravel())
         row, column = np.concatenate(rows), np.concatenate(columns)
-        value = np.concatenate(values)
-        source = np.flatnonzero(row >= 0)
-        keys, target = np.unique(row[source] * self.size + column[source], return_inverse=True)
-        scatter = sparse.csr_array((value[source], (target, source)), shape=(len(keys), len(value)))
-        indptr = np.searchsorted(keys, np.arange(self.size + 1) * self.size)
+        kept = np.flatnonzero(row >= 0)
+        # Sorted by row and then by column, entries that are added up stand side by side.
+        kept = kept[_sorted_order(column[kept], self.size)]
+        kept = kept[_sorted_order(row[kept], self.size)]
+        row, column = row[kept], column[kept]
+        new = np.ones(len(kept), dtype=bool)
+        new[1:] = (np.diff(row) != 0) | (np.diff(column) != 0)
+        starts = np.flatnonzero(new)
+        scatter = sparse.csr_array(
+            (np.concatenate(values)[kept], kept, np.append(starts, len(kept))),
+            shape=(len(starts), sum(map(len, values))),
+        )
+        indptr = np.searchsorted(row[starts], np.arange(self.size + 1)).astype(np.int32)
         pattern = sparse.csr_array(
-            (np.zeros(len(keys)), (keys % self.size).astype(np.int32), indptr.astype(np.int32)),
+            (np.zeros(len(starts)), column[starts].astype(np.int32), indptr),
             shape=(self.size, self.size),
         )
         return pattern, scatter
@@ -144,3 +152,10 @@ class Assembler:
         pattern, scatter = self._scatter
         data = scatter @ np.concatenate(parts)
         return sparse.csr_array((data, pattern.indices, pattern.indptr), shape=pattern.shape)
+
+
+def _sorted_order(keys: NDArray[np.int64], count: int) -> NDArray[np.int64]:
+    """Return the stable order that sorts keys below count: the conversion to CSR counts them."""
+    size = len(keys)
+    listed = sparse.csr_array((np.ones(size, bool), (keys, np.arange(size))), shape=(count, size))
+    return listed.indices.astype(np.int64)

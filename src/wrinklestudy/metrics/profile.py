@@ -18,7 +18,7 @@ SAMPLES_PER_CELL = 64
 LEAST_POINTS = 8
 
 # Penalties of the smoothing spline that are tried, points at unit spacing.
-_PENALTIES = 10.0 ** np.arange(-2.0, 10.0, 0.25)
+_PENALTIES = tuple(10.0 ** (0.5 * k) for k in range(-2, 20))
 
 
 @dataclass(frozen=True)
@@ -223,12 +223,14 @@ def _smooth(profile: Profile, noise: float) -> Callable[[Array], Array]:
     spacing = (profile.y[-1] - profile.y[0]) / (count - 1)
     scale = max(float(np.abs(profile.z).max()), 1e-300)
     steps = (profile.y - profile.y[0]) / spacing  # so that the penalty means the same in any unit
-    best, lowest = None, np.inf
-    for penalty in _PENALTIES:
-        spline = make_smoothing_spline(steps, profile.z / scale, lam=penalty)
+
+    def spline(penalty: float) -> Callable[[Array], Array]:
+        return make_smoothing_spline(steps, profile.z / scale, lam=penalty)
+
+    def error(penalty: float) -> float:
         freedom = min(count / (2.0 * np.sqrt(2.0) * penalty**0.25) + 2.0, count)
-        residual = spline(steps) - profile.z / scale
-        error = np.mean(residual**2) + 2.0 * (noise / scale) ** 2 * freedom / count
-        if error < lowest:
-            best, lowest = spline, error
+        residual = spline(penalty)(steps) - profile.z / scale
+        return float(np.mean(residual**2) + 2.0 * (noise / scale) ** 2 * freedom / count)
+
+    best = spline(min(_PENALTIES, key=error))
     return lambda y: scale * np.asarray(best((y - profile.y[0]) / spacing))
