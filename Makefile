@@ -34,7 +34,7 @@ quick: $(READY) ## run the same on a coarse mesh with three strains: figures/qui
 	$(SNAKEMAKE) --configfile config/quick.yaml
 
 test: $(READY) ## run the tests, with the quick study as one of them
-	$(ONE_THREAD) $(BIN)/python -m pytest --numprocesses auto --dist loadfile
+	$(ONE_THREAD) $(BIN)/python -m pytest --numprocesses auto --dist loadgroup
 
 lint: $(READY) ## check style, types and workflow
 	$(BIN)/ruff check .

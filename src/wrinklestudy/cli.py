@@ -191,7 +191,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     arguments = _parser().parse_args(argv)
     try:
         result = _COMMANDS[arguments.command](arguments)
-    except (ValueError, OSError) as error:
+    except (ValueError, ArithmeticError, OSError) as error:
         print(f"wrinklestudy {arguments.command}: {error}", file=sys.stderr)
         return 2
     if arguments.json:

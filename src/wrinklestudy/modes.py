@@ -91,6 +91,10 @@ def deflection_matrices(
     position = np.zeros((3, space.size))
     position[:2] = flat.position
     stress, bent = plate.deflection(flat.law, bending, space.derivatives(position))
+    if not np.isfinite(bent).all():
+        raise ArithmeticError(
+            f"flat state at strain {flat.strain:g}: the law leaves no thickness somewhere"
+        )
     assembler = Assembler(space, space.free(parity, keeps_x)[2:], 5)
     return assembler.tangent([stress]), assembler.tangent([bent.copy()]), assembler, bent
 

@@ -4,6 +4,7 @@ A flat sheet is unstable exactly where its thickness is below the critical thick
 birth and decay are the two roots of tau_1(eps) = t.
 """
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -68,7 +69,7 @@ def find(
     Parameters
     ----------
     curve : callable
-        tau_1/W at a strain > 0; tau_1 = 0 at zero strain.
+        tau_1/W at a strain > 0, NaN where it cannot be computed; tau_1 = 0 at zero strain.
     thickness : float
         t/W.
     known : sequence of (strain, tau_1/W)
@@ -85,7 +86,7 @@ def find(
         raise ValueError(f"thickness = {thickness:g}: must be > 0 (in units of W)")
     table = {0.0: 0.0, **dict(known)}
     if len(table) < 4:
-        table |= {strain: curve(strain) for strain in survey}
+        table |= {strain: tau for strain in survey if (tau := curve(strain)) >= 0.0}
     peak = _peak(curve, table, thickness)
     birth = decay = None
     if table[peak] > thickness:
@@ -131,7 +132,9 @@ def _first_stable(
         if last >= LARGEST_STRAIN - 1e-9:
             return None
         further = min(last + _STEP_BEYOND, LARGEST_STRAIN)
-        table[further] = curve(further)
+        if math.isnan(tau := curve(further)):
+            return None
+        table[further] = tau
 
 
 def _root(
@@ -167,13 +170,16 @@ def critical_curve(
 ) -> Callable[[float], float]:
     """Return the function tau_1(eps)/W of a sheet on a grid.
 
-    It raises `flat.NotConvergedError` where there is no flat state.
+    It is NaN where there is no flat state or the bending law has no value there.
     """
     space = grid if isinstance(grid, Space) else Space(grid)
 
     def curve(strain: float) -> float:
-        flat = solve_flat(space, material.law, strain)
-        return critical_thickness(flat, settings.bending, settings.parity)
+        try:
+            flat = solve_flat(space, material.law, strain)
+            return critical_thickness(flat, settings.bending, settings.parity)
+        except ArithmeticError:
+            return math.nan
 
     return curve
 

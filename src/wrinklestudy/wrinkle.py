@@ -261,11 +261,13 @@ def write(state: Equilibrium, output: Path | str) -> None:
     """Write a state as an HDF5 file; the position is in the layout of the grid."""
     planar = state.planar
     datasets: dict[str, Any] = {"grid/x": planar.grid.x, "grid/y": planar.grid.y}
-    if state.position is not None and planar.flat is not None:
-        datasets["position"] = planar.flat.space.nodes_from_field(state.position)
+    flat, modes = planar.flat, planar.modes
+    if state.position is not None and flat is not None:
+        datasets["position"] = flat.space.nodes_from_field(state.position)
     datasets["history"] = np.array(state.history).reshape(-1, len(newton.Iteration._fields))
     along, across = planar.grid.cells
-    modes = planar.modes
+    nan = float("nan")
+    width = nan if flat is None else 2.0 * flat.space.nodes_from_field(flat.position)[1, 0, 0, -1]
     attrs = {
         "units": "lengths in W, stresses in the initial shear modulus mu, energies in mu W^3",
         "material": planar.name,
@@ -284,7 +286,8 @@ def write(state: Equilibrium, output: Path | str) -> None:
         "flat_energy": state.flat_energy,
         "nominal_stress": state.nominal_stress,
         "nominal_stress_pa": state.nominal_stress * planar.material.shear_modulus,
-        "critical_thickness": float("nan") if modes is None else modes.critical_thickness,
+        "critical_thickness": nan if modes is None else modes.critical_thickness,
+        "planar_width_over_width": width,
         "unstable_directions": state.unstable_directions,
         "newton_iterations": len(state.history),
         "residual": state.residual,

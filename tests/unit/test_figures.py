@@ -58,6 +58,7 @@ def write_state(path, strain, law="mooney-rivlin", scale=1.0):
     sheet = {"parity": "antisymmetric", "aspect": 2.0, "thickness": 1e-3, "strain": strain}
     counts = dict.fromkeys(("newton_iterations", "cells_along", "cells_across"), 5)
     counts |= {"unstable_directions": 0, "residual": 0.0, "critical_thickness": 1e-3}
+    counts |= {"planar_width_over_width": (1.0 + strain) ** -0.5}
     write_h5(path, datasets, numbers | case | sheet | counts | {"status": status, "reason": ""})
     return path
 
@@ -183,6 +184,7 @@ def test_amplitudes_are_the_computed_ones_with_a_gap_and_zeros_at_birth_and_deca
     assert list(series_points(axes, "birth, decay")[1]) == [0.0, 0.0]
     assert list(series_points(axes, "flat")[0]) == [0.02, 0.46]
     assert list(series_points(axes, "not converged")[0]) == [HOLE]
+    assert axes.get_xlim()[1] > max(*STRAINS, DECAY)
     line = axes.lines[0]
     assert list(line.get_xdata()) == sorted([*STRAINS, BIRTH, DECAY])
     assert np.isnan(line.get_ydata()[line.get_xdata() == HOLE]).all()
@@ -259,6 +261,8 @@ def test_a_profile_is_drawn_for_every_state_that_converged(inputs):
     curves = [line for line in axes.lines if len(line.get_xdata()) > 10]
     heights = [float(np.mean(line.get_ydata())) for line in curves]
     assert heights == pytest.approx([strain for strain in STRAINS if strain != HOLE])
+    words = [text.get_position()[1] for text in axes.texts if text.get_text() == "not converged"]
+    assert words == [HOLE]
     ends = [line.get_xdata()[-1] for line in curves]
     assert ends == pytest.approx([0.5 * (1.0 + eps) ** -0.5 for eps in STRAINS if eps != HOLE])
 

@@ -4,7 +4,7 @@ from collections import Counter
 
 import pytest
 
-pytestmark = [pytest.mark.workflow, pytest.mark.xdist_group("workflow")]
+pytestmark = pytest.mark.workflow
 
 TABLE_FIGURES = {
     "fig05a_amplitude",

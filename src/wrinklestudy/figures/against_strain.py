@@ -60,8 +60,9 @@ def legend(figure: Figure, axes: Axes, series: list[Series]) -> None:
 
 
 def largest_strain(series: list[Series]) -> float:
-    """Return the largest strain of all series."""
-    return max(float(one.column("strain").max()) for one in series)
+    """Return the largest strain of all series, birth and decay included."""
+    strains = [[*one.column("strain"), one.birth, one.decay] for one in series]
+    return float(np.nanmax(np.concatenate(strains)))
 
 
 def extremes(series: list[Series], column: str) -> tuple[float, float]:

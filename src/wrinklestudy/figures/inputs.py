@@ -144,10 +144,6 @@ class Inputs:
         wanted = (table["aspect"] == self.sheet[0]) & (table["thickness"] == self.sheet[1])
         return self._series(table[wanted] if wanted.any() else table)
 
-    def series(self) -> list[Series]:
-        """Return all series of the study."""
-        return self._series(_read_table(self.metrics, COLUMNS))
-
     def _series(self, table: "pd.DataFrame") -> list[Series]:
         if table.empty:
             raise ValueError(f"{self.metrics}: has no rows, nothing to draw")

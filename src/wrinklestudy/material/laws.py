@@ -149,9 +149,13 @@ class SaintVenantKirchhoff:
         return stress, tangent
 
     def thickness_stretch(self, metric: Array) -> tuple[Array, Array, Array]:
-        """Return lambda3 = sqrt(1 + 2 E33), E33 = -nu/(1 - nu) (E11 + E22), and its derivatives."""
+        """Return lambda3 = sqrt(1 + 2 E33), E33 = -nu/(1 - nu) (E11 + E22), and its derivatives.
+
+        NaN where the law leaves no thickness: (E11 + E22) nu/(1 - nu) > 1/2.
+        """
         ratio = self.poisson / (1.0 - self.poisson)
-        stretch = np.sqrt(1.0 - ratio * (metric[0] + metric[1] - 2.0))
+        with np.errstate(invalid="ignore"):
+            stretch = np.sqrt(1.0 - ratio * (metric[0] + metric[1] - 2.0))
         gradient = np.zeros_like(metric)
         gradient[:2] = -0.5 * ratio / stretch
         hessian = np.zeros((3, *metric.shape))

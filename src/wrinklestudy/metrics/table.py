@@ -31,6 +31,7 @@ COLUMNS: dict[str, str] = {
     "wavelength_zero_over_width": "lambda/W from the central zero crossings",
     "arc_width_over_width": "W_act/W, arc length of x = 0",
     "projected_width_over_width": "W_proj/W, distance of the free edges on x = 0",
+    "planar_width_over_width": "width of the flat state of this strain on x = 0",
     "phi_squared": "(W_act - W_proj)/W_proj over the full width",
     "phi_squared_central": "the same over one wavelength around the centre",
     "shape_constant": "A/(lambda Phi), Phi over the full width",
@@ -48,7 +49,6 @@ COLUMNS: dict[str, str] = {
     "residual": "of the solve",
     "cells_along": "cells of the quarter along the pull",
     "cells_across": "cells of the quarter across",
-    "seconds": "wall time of the solve (s), where the file records it",
     "reason": "why the state has this status",
 }
 
@@ -77,7 +77,6 @@ _MEASURED = (
 )
 # Numbers of an equilibrium: there are none if the solve did not converge.
 _OF_EQUILIBRIUM = ("nominal_stress_pa", "energy", "unstable_directions")
-_OPTIONAL = ("seconds",)
 _GEOMETRY = ("grid/x", "grid/y", "position")
 
 
@@ -116,7 +115,7 @@ def row_of_state(
     for column in COLUMNS:
         if column in attrs and column not in _MEASURED:
             row[column] = attrs[column]
-        elif column not in (*_MEASURED, *_OPTIONAL):
+        elif column not in _MEASURED:
             raise ValueError(f"{name}: attribute {column!r} is missing, not a wrinkle file")
     if status == "not-converged":
         row.update(dict.fromkeys(_OF_EQUILIBRIUM))
