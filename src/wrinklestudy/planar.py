@@ -104,6 +104,7 @@ def run(
     strain: float,
     settings: Mapping[str, Any],
     output: Path | str,
+    name: str | None = None,
 ) -> None:
     """Solve the flat state of one case and write it.
 
@@ -119,10 +120,12 @@ def run(
         Keys of `Settings`.
     output : path
         HDF5 file to write.
+    name : str, optional
+        Name of the model in the study; that of the material file by default.
     """
     from wrinklestudy.material.result import load
 
-    name = Path(material).stem
+    name = name or Path(material).stem
     write(solve(read_grid(mesh), load(material), strain, Settings(**settings), name), output)
 
 

@@ -191,6 +191,7 @@ def run(
     thickness: float,
     settings: Mapping[str, Any],
     output: Path | str,
+    name: str | None = None,
 ) -> None:
     """Find birth and decay of one sheet, starting from the planar states of a study.
 
@@ -206,6 +207,8 @@ def run(
         Keys of `planar.Settings`.
     output : path
         JSON file to write.
+    name : str, optional
+        Name of the model in the study; that of the material file by default.
     """
     from wrinklestudy.material.result import load
     from wrinklestudy.store import read_h5, write_json
@@ -215,7 +218,7 @@ def run(
     grid, loaded, options = read_grid(mesh), load(material), Settings(**settings)
     found = find(critical_curve(grid, loaded, options), thickness, known)
     description = {
-        "material": Path(material).stem,
+        "material": name or Path(material).stem,
         **laws.describe(loaded),
         "bending": options.bending,
         "parity": options.parity,
