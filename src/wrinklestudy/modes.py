@@ -84,7 +84,11 @@ class Modes:
 
 
 def deflection_matrices(
-    flat: Flat, bending: Bending, parity: Parity, keeps_x: bool = True
+    flat: Flat,
+    bending: Bending,
+    parity: Parity,
+    keeps_x: bool = True,
+    keeps_y: bool = True,
 ) -> tuple[sparse.csr_array, sparse.csr_array, Assembler, Array]:
     """Return the upper triangles of S and B, their assembler and the point values of B."""
     space = flat.space
@@ -95,7 +99,7 @@ def deflection_matrices(
         raise ArithmeticError(
             f"flat state at strain {flat.strain:g}: the law leaves no thickness somewhere"
         )
-    assembler = Assembler(space, space.free(parity, keeps_x)[2:], 5)
+    assembler = Assembler(space, space.free(parity, keeps_x, keeps_y)[2:], 5)
     return assembler.tangent([stress]), assembler.tangent([bent.copy()]), assembler, bent
 
 

@@ -105,6 +105,10 @@ class PlateProblem:
         field[self.assembler.free] = unknowns
         return field
 
+    def prescribe(self, component: int, dofs: NDArray[np.int64], values: Array) -> None:
+        """Set prescribed values of one component of the position."""
+        self._prescribed[component, dofs] = values
+
     def energy(self, unknowns: Array) -> float:
         """Return the energy, infinite where the surface or its thickness degenerates."""
         space = self.assembler.space

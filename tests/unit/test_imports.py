@@ -31,6 +31,7 @@ LAYERS = [
     {"modes", "reduced"},
     {"planar"},
     {"stability", "wrinkle"},
+    {"branch", "inertia"},
     {"metrics"},
     {"figures", "sheet"},
     {"config", "config_errors", "config_values", "cli", "__init__"},

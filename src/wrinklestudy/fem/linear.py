@@ -40,6 +40,25 @@ class Solver(Protocol):
         """Return the number of negative eigenvalues (Sylvester's law of inertia)."""
 
 
+class IndefiniteSolver(Protocol):
+    """A factorisation of symmetric matrices that need not be definite."""
+
+    negative: int  # negative eigenvalues of the last factorised matrix
+
+    def factorise(self, upper: sparse.csr_array) -> None:
+        """Factorise a symmetric matrix."""
+
+    def solve(self, rhs: Array) -> Array:
+        """Solve for one right-hand side (n,) or several (n, k)."""
+
+
+def make_indefinite_solver() -> IndefiniteSolver:
+    """Return L D L^T by PARDISO where pypardiso is installed, SuperLU elsewhere."""
+    if importlib.util.find_spec("pypardiso") is not None:
+        return PardisoIndefinite()
+    return SuperLUIndefinite()
+
+
 def make_solver() -> Solver:
     """Return a PARDISO solver where pypardiso is installed, a SuperLU solver elsewhere."""
     if importlib.util.find_spec("pypardiso") is not None:
@@ -81,10 +100,10 @@ class PardisoSolver:
         if not same:
             self._release()
             self._cholesky = _new_pardiso(2)
-            self._call(self._cholesky, 11, upper)
+            _call_pardiso(self._cholesky, 11, upper)
             self._pattern = pattern
         self._matrix = upper
-        self._call(self._cholesky, 22, upper)
+        _call_pardiso(self._cholesky, 22, upper)
 
     def solve(self, rhs: Array) -> Array:
         """Solve with the last factorised matrix."""
@@ -96,16 +115,13 @@ class PardisoSolver:
 
     def negative(self, upper: sparse.csr_array) -> int:
         """Return the number of negative eigenvalues from the pivots of L D L^T."""
-        scaled, _ = _scaled(upper)
-        solver = _new_pardiso(-2)
-        self._call(solver, 12, scaled)
-        count = int(solver.get_iparm(23))
-        self._call(solver, -1, scaled)
-        return count
+        indefinite = PardisoIndefinite()
+        indefinite.factorise(upper)
+        return indefinite.negative
 
     def _release(self) -> None:
         if self._cholesky is not None and self._matrix is not None:
-            self._call(self._cholesky, -1, self._matrix)
+            _call_pardiso(self._cholesky, -1, self._matrix)
         self._cholesky = self._matrix = self._pattern = None
 
     def __del__(self) -> None:
@@ -113,17 +129,61 @@ class PardisoSolver:
         if not sys.is_finalizing():
             self._release()
 
-    @staticmethod
-    def _call(solver: Any, phase: int, upper: sparse.csr_array) -> None:
-        from pypardiso.pardiso_wrapper import PyPardisoError
 
-        solver.set_phase(phase)
-        try:
-            solver._call_pardiso(upper, np.zeros(upper.shape[0]))
-        except PyPardisoError as error:
-            if error.value == -4 and solver.mtype == 2:
-                raise NotPositiveDefiniteError("zero or negative pivot") from None
-            raise
+class PardisoIndefinite:
+    """L D L^T by PARDISO of the matrix scaled to a unit diagonal, with a step of refinement."""
+
+    def __init__(self) -> None:
+        self.negative = 0
+        self._upper: sparse.csr_array | None = None
+        self._scaled: sparse.csr_array | None = None
+        self._scale: Array = np.empty(0)
+        self._solver: Any = None
+
+    def factorise(self, upper: sparse.csr_array) -> None:
+        """Factorise a symmetric matrix and count its negative eigenvalues."""
+        self._release()
+        self._upper = upper
+        self._scaled, self._scale = _scaled(upper)
+        self._solver = _new_pardiso(-2)
+        _call_pardiso(self._solver, 12, self._scaled)
+        self.negative = int(self._solver.get_iparm(23))
+
+    def solve(self, rhs: Array) -> Array:
+        """Solve with the last factorised matrix."""
+        if self._upper is None:
+            raise RuntimeError("solve before factorise")
+        solution = self._once(rhs)
+        return solution + self._once(rhs - multiply(self._upper, solution))
+
+    def _once(self, rhs: Array) -> Array:
+        scale = self._scale if rhs.ndim == 1 else self._scale[:, None]
+        self._solver.set_phase(33)
+        solution: Array = self._solver._call_pardiso(self._scaled, np.asfortranarray(scale * rhs))
+        return scale * solution
+
+    def _release(self) -> None:
+        if self._solver is not None:
+            _call_pardiso(self._solver, -1, self._scaled)
+        self._solver = None
+
+    def __del__(self) -> None:
+        """Free the memory that MKL holds outside Python."""
+        if not sys.is_finalizing():
+            self._release()
+
+
+def _call_pardiso(solver: Any, phase: int, upper: sparse.csr_array) -> None:
+    """Run a phase of PARDISO that needs no right-hand side."""
+    from pypardiso.pardiso_wrapper import PyPardisoError
+
+    solver.set_phase(phase)
+    try:
+        solver._call_pardiso(upper, np.zeros(upper.shape[0]))
+    except PyPardisoError as error:
+        if error.value == -4 and solver.mtype == 2:
+            raise NotPositiveDefiniteError("zero or negative pivot") from None
+        raise
 
 
 def _new_pardiso(mtype: int) -> Any:
@@ -184,3 +244,23 @@ class SuperLUSolver:
         if not np.array_equal(factor.perm_r, factor.perm_c):
             raise ArithmeticError("SuperLU left the diagonal: a pivot is zero")
         return factor, scale
+
+
+class SuperLUIndefinite:
+    """SuperLU with pivoting for the solution, without for the number of negative eigenvalues."""
+
+    def __init__(self) -> None:
+        self.negative = 0
+        self._factor: Any = None
+
+    def factorise(self, upper: sparse.csr_array) -> None:
+        """Factorise a symmetric matrix and count its negative eigenvalues."""
+        from scipy.sparse.linalg import splu
+
+        self.negative = SuperLUSolver().negative(upper)
+        self._factor = splu((upper + upper.T - sparse.diags_array(upper.diagonal())).tocsc())
+
+    def solve(self, rhs: Array) -> Array:
+        """Solve with the last factorised matrix."""
+        solution: Array = self._factor.solve(rhs)
+        return solution

@@ -1,0 +1,111 @@
+"""Stability of a wrinkled state in the whole sheet, from the quarter.
+
+The state keeps two mirrors of the sheet. A perturbation of the whole sheet is a sum of four parts
+that keep or break each of them, and the tangent does not couple the parts: the state is stable in
+the whole sheet exactly if its tangent is positive on all four.
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import sparse
+
+from wrinklestudy import plate
+from wrinklestudy.fem.assembly import Assembler
+from wrinklestudy.fem.linear import make_indefinite_solver, multiply
+from wrinklestudy.modes import deflection_matrices
+from wrinklestudy.wrinkle import Equilibrium
+
+Array = NDArray[np.float64]
+
+# (keeps the mirror x = 0, keeps the mirror y = 0)
+CLASSES = ((True, True), (True, False), (False, True), (False, False))
+
+
+class ClassStability(NamedTuple):
+    """Stability against one class of perturbations."""
+
+    keeps_x: bool
+    keeps_y: bool
+    unstable: int  # negative eigenvalues of the tangent
+    softest: float  # smallest eigenvalue against t^3 B, see `classes`
+
+
+def classes(state: Equilibrium, eigenvalues: bool = True) -> list[ClassStability]:
+    """Return the stability of a state against the four classes of perturbations.
+
+    The number `softest` is the smallest mu of K v = mu (t^3 B) v with the tangent K and the bending
+    matrix B of the flat state, which acts on the deflection: 1 - (tau_1/t)^2 for the flat state
+    itself, so that it compares a stiffness to the one that the flat state lacks.
+
+    Parameters
+    ----------
+    state : Equilibrium
+        A wrinkled state.
+    eigenvalues : bool
+        Whether to compute `softest`; NaN if not.
+
+    Raises
+    ------
+    ValueError
+        If the state did not converge.
+    """
+    if state.position is None or state.status == "not-converged":
+        raise ValueError(f"status {state.status!r}: only a converged state has a stability")
+    return [_stability(state, keeps_x, keeps_y, eigenvalues) for keeps_x, keeps_y in CLASSES]
+
+
+def _stability(
+    state: Equilibrium, keeps_x: bool, keeps_y: bool, eigenvalues: bool
+) -> ClassStability:
+    planar = state.planar
+    if planar.flat is None or planar.modes is None or state.position is None:
+        raise ValueError("the state has no flat state")
+    space, settings = planar.flat.space, planar.settings
+    free = space.free(settings.parity, keeps_x, keeps_y)
+    section = plate.Section(planar.material.law, state.thickness, settings.bending)
+    surface = plate.surface(space.derivatives(state.position), settings.bending)
+    parts = section.derivatives(surface.metric, surface.curvature)
+    tangent = Assembler(space, free, 5).tangent(plate.hessian(surface, parts))
+    solver = make_indefinite_solver()
+    solver.factorise(tangent)
+    unstable, softest = solver.negative, float("nan")
+    if eigenvalues:
+        _, bent, _, _ = deflection_matrices(
+            planar.flat, settings.bending, settings.parity, keeps_x, keeps_y
+        )
+        softest = _softest(tangent, free, state.thickness**3 * bent, solver.solve)
+    return ClassStability(keeps_x, keeps_y, unstable, softest)
+
+
+def _softest(
+    tangent: sparse.csr_array,
+    free: NDArray[np.bool_],
+    bent: sparse.csr_array,
+    solve: Callable[[Array], Array],
+) -> float:
+    """Return the eigenvalue of K v = mu M v nearest to zero, M acting on the deflection only."""
+    from scipy.sparse.linalg import LinearOperator, eigsh
+
+    size, deflections = tangent.shape[0], int(free[2].sum())
+
+    def mass(vector: Array) -> Array:
+        result = np.zeros_like(vector)
+        result[-deflections:] = multiply(bent, vector[-deflections:])
+        return result
+
+    def operator(action: Callable[[Array], Array]) -> LinearOperator:
+        return LinearOperator((size, size), matvec=action, dtype=np.float64)
+
+    values = eigsh(
+        operator(lambda v: multiply(tangent, v)),
+        k=1,
+        M=operator(mass),
+        sigma=0.0,
+        OPinv=operator(solve),
+        v0=solve(mass(np.ones(size))),
+        return_eigenvectors=False,
+    )
+    return float(values[0])
