@@ -10,7 +10,9 @@ from wrinklestudy import MeshSettings, Sheet, mooney_rivlin
 
 LATEX = mooney_rivlin(c10=6.21e4, c01=1.58e5)
 REFERENCE = pd.read_csv(
-    Path(__file__).parent / "isogeometric_fixed_thickness.csv", comment="#", index_col="eps"
+    Path(__file__).parents[2] / "data/isogeometric_fixed_thickness.csv",
+    comment="#",
+    index_col="eps",
 )
 
 # A prototype's values, converged to 0.2%: strain, A/t, Phi^2, and W_act/W to the last digit given
