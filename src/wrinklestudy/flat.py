@@ -7,8 +7,7 @@ from numpy.typing import NDArray
 from scipy import sparse
 
 from wrinklestudy import newton, plate
-from wrinklestudy.fem.assembly import Assembler
-from wrinklestudy.fem.linear import Solver, make_solver
+from wrinklestudy.fem.assembly import shared_assembler
 from wrinklestudy.fem.space import Space
 from wrinklestudy.material.laws import Law
 from wrinklestudy.mesh import Grid
@@ -58,7 +57,7 @@ class MembraneProblem:
     def __init__(self, space: Space, law: Law, prescribed: Array) -> None:
         self.law = law
         self.prescribed = prescribed
-        self.assembler = Assembler(space, space.free()[:2], 2)
+        self.assembler = shared_assembler(space, space.free()[:2], 2)
 
     def position(self, unknowns: Array) -> Array:
         """Return the dof vectors (2, size) with the prescribed values in place."""
@@ -84,15 +83,24 @@ class MembraneProblem:
         residual = assembler.residual(slope)[assembler.free]
         return energy, residual, assembler.tangent(blocks)
 
+    def residual(self, unknowns: Array) -> Array:
+        """Return the residual alone."""
+        return self.reactions(unknowns)[self.assembler.free]
+
+    def reactions(self, unknowns: Array) -> Array:
+        """Return the residual at every dof, (2, size); the reactions are at the prescribed ones."""
+        tangents = self.assembler.space.derivatives(self.position(unknowns), 2)
+        slope = plate.membrane_gradient(plate.membrane_force(self.law, tangents), tangents)
+        return self.assembler.residual(slope)
+
     def shift(self) -> sparse.csr_array | None:
         """Return nothing: the flat problem needs no shift."""
         return None
 
     def force(self, unknowns: Array) -> float:
         """Return the nominal stress at the clamp in units of mu: twice the quarter's reaction."""
-        space = self.assembler.space
-        _, slope, _ = plate.membrane(self.law, space.derivatives(self.position(unknowns), 2))
-        return 2.0 * float(self.assembler.residual(slope)[0, space.edge_dofs("clamp", ["u"])].sum())
+        clamp = self.assembler.space.edge_dofs("clamp", ["u"])
+        return 2.0 * float(self.reactions(unknowns)[0, clamp].sum())
 
 
 def stretched(space: Space, strain: float) -> Array:
@@ -123,7 +131,6 @@ def solve(
     law: Law,
     strain: float,
     options: newton.Options | None = None,
-    solver: Solver | None = None,
 ) -> Flat:
     """Return the flat equilibrium of a clamped sheet stretched by a strain.
 
@@ -136,8 +143,6 @@ def solve(
     strain : float
         eps of the clamps, > -1.
     options : newton.Options, optional
-    solver : Solver, optional
-        A factorisation to reuse.
 
     Raises
     ------
@@ -145,27 +150,25 @@ def solve(
         If Newton's method fails; the message says why.
     """
     space = grid if isinstance(grid, Space) else Space(grid)
-    solver = solver or make_solver()
     options = options or newton.Options()
     problem = MembraneProblem(space, law, stretched(space, strain))
-    found = _load(problem, strain, options, solver)
+    found = _load(problem, strain, options)
     if not found.converged:
         raise NotConvergedError(f"flat state at strain {strain:g}: {found.reason}")
     position, force = problem.position(found.unknowns), problem.force(found.unknowns)
     return Flat(space, law, strain, position, found.energy, force, found.history)
 
 
-def _load(
-    problem: MembraneProblem, strain: float, options: newton.Options, solver: Solver
-) -> newton.Minimum:
+def _load(problem: MembraneProblem, strain: float, options: newton.Options) -> newton.Minimum:
     """Minimise from the first guess; where that fails go through half of the strain."""
     free = problem.assembler.free
+    solver = problem.assembler.solver
     found = newton.minimise(problem, problem.prescribed[free], solver, options)
     if found.converged or abs(strain) < _SMALLEST_LOAD:
         return found
     space = problem.assembler.space
     half = MembraneProblem(space, problem.law, stretched(space, 0.5 * strain))
-    before = _load(half, 0.5 * strain, options, solver)
+    before = _load(half, 0.5 * strain, options)
     if not before.converged:
         return found
     # The clamps move on: scale what the half load did to the sheet like the first guesses.

@@ -14,7 +14,7 @@ from scipy import sparse
 
 from wrinklestudy import plate
 from wrinklestudy.fem.assembly import Assembler
-from wrinklestudy.fem.linear import make_indefinite_solver, multiply
+from wrinklestudy.fem.linear import make_indefinite_solver, symmetric
 from wrinklestudy.modes import deflection_matrices
 from wrinklestudy.wrinkle import Equilibrium
 
@@ -91,16 +91,18 @@ def _softest(
 
     size, deflections = tangent.shape[0], int(free[2].sum())
 
+    whole = symmetric(bent)
+
     def mass(vector: Array) -> Array:
         result = np.zeros_like(vector)
-        result[-deflections:] = multiply(bent, vector[-deflections:])
+        result[-deflections:] = whole @ vector[-deflections:]
         return result
 
     def operator(action: Callable[[Array], Array]) -> LinearOperator:
         return LinearOperator((size, size), matvec=action, dtype=np.float64)
 
     values = eigsh(
-        operator(lambda v: multiply(tangent, v)),
+        symmetric(tangent),
         k=1,
         M=operator(mass),
         sigma=0.0,

@@ -14,15 +14,15 @@ All but t is independent of the thickness, so that it seeds the wrinkled state o
 """
 
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 
 from wrinklestudy import plate
-from wrinklestudy.fem.assembly import Assembler
-from wrinklestudy.fem.linear import NotPositiveDefiniteError, Solver, make_solver, multiply
+from wrinklestudy.fem.assembly import Assembler, shared_assembler
+from wrinklestudy.fem.linear import NotPositiveDefiniteError, Solver, symmetric
 from wrinklestudy.fem.space import Parity
 from wrinklestudy.flat import Flat
 from wrinklestudy.plate import Bending
@@ -33,8 +33,10 @@ Array = NDArray[np.float64]
 # half the length and half the width.
 _CORNER = (0.8, 0.6)
 CORNER_PART = 0.5
-_FIRST_TRIAL = 2.0e-3
+_FIRST_TRIAL = 1.6e-3
 _LARGEST_TRIAL = 1.0
+_LANCZOS = 4  # vectors for each eigenvalue
+_EIGENVALUE_TOLERANCE = 1.0e-10
 
 
 @dataclass(frozen=True)
@@ -99,7 +101,7 @@ def deflection_matrices(
         raise ArithmeticError(
             f"flat state at strain {flat.strain:g}: the law leaves no thickness somewhere"
         )
-    assembler = Assembler(space, space.free(parity, keeps_x, keeps_y)[2:], 5)
+    assembler = shared_assembler(space, space.free(parity, keeps_x, keeps_y)[2:])
     return assembler.tangent([stress]), assembler.tangent([bent.copy()]), assembler, bent
 
 
@@ -116,7 +118,6 @@ def spectrum(
     bending: Bending = "thinning",
     parity: Parity = "antisymmetric",
     count: int = 8,
-    solver: Solver | None = None,
 ) -> Spectrum:
     """Return the largest critical thicknesses of a flat state and their modes, see `Modes`.
 
@@ -130,8 +131,6 @@ def spectrum(
         Of the deflection across y = 0.
     count : int
         Number of modes.
-    solver : Solver, optional
-        A factorisation to reuse.
 
     Raises
     ------
@@ -139,7 +138,7 @@ def spectrum(
         If the flat sheet is unstable at any thickness up to W.
     """
     stress, bent, assembler, points = deflection_matrices(flat, bending, parity)
-    squared, vectors = _eigen(stress, bent, count, solver or make_solver())
+    squared, vectors = _eigen(stress, bent, count, assembler.solver)
     shapes = np.zeros((count, flat.space.size))
     shapes[:, assembler.free[0]] = vectors.T
     return Spectrum(squared, shapes, _corner_part(flat, points, shapes))
@@ -152,9 +151,9 @@ def critical_thickness(
 
     Modes of the corners are passed over; zero where no thickness wrinkles.
     """
-    count, solver = 2, make_solver()
+    count = 2
     while True:
-        squared, _, corner = spectrum(flat, bending, parity, count, solver)
+        squared, _, corner = spectrum(flat, bending, parity, count)
         wrinkles = squared[corner < CORNER_PART]
         if len(wrinkles) > 0 or squared[-1] <= 0.0:
             return float(np.sqrt(max(wrinkles.max(initial=0.0), 0.0)))
@@ -171,9 +170,8 @@ def critical_modes(
 
     See `spectrum` for the parameters and errors.
     """
-    solver = make_solver()
-    squared, shapes, corner = spectrum(flat, bending, parity, count, solver)
-    quartic, relaxation = _reduced(flat, shapes, solver)
+    squared, shapes, corner = spectrum(flat, bending, parity, count)
+    quartic, relaxation = _reduced(flat, shapes)
     return Modes(parity, bending, squared, shapes, corner, quartic, relaxation)
 
 
@@ -196,17 +194,16 @@ def _eigen(
             if trial > _LARGEST_TRIAL:
                 raise ArithmeticError("the flat sheet is unstable at any thickness") from None
     size = stress.shape[0]
-
-    def operator(action: Any) -> LinearOperator:
-        return LinearOperator((size, size), matvec=action, dtype=np.float64)
-
+    inverse = LinearOperator((size, size), matvec=lambda v: -solver.solve(v), dtype=np.float64)
     squared, vectors = eigsh(
-        operator(lambda v: -multiply(stress, v)),
+        -symmetric(stress),
         k=count,
-        M=operator(lambda v: multiply(bent, v)),
+        M=symmetric(bent),
         sigma=trial**2,
-        OPinv=operator(lambda v: -solver.solve(v)),
+        OPinv=inverse,
         v0=np.ones(size),
+        ncv=_LANCZOS * count,
+        tol=_EIGENVALUE_TOLERANCE,
     )
     order = np.argsort(squared)[::-1]
     vectors = vectors[:, order]
@@ -234,9 +231,11 @@ def pairs(count: int) -> list[tuple[int, int]]:
     return [(i, j) for i in range(count) for j in range(i, count)]
 
 
-def _reduced(flat: Flat, shapes: Array, solver: Solver) -> tuple[Array, Array]:
+def _reduced(flat: Flat, shapes: Array) -> tuple[Array, Array]:
     """Return the quartic form G and the in-plane displacements of the reduced energy."""
-    space, assembler = flat.space, Assembler(flat.space, flat.space.free()[:2], 2)
+    space = flat.space
+    assembler = shared_assembler(space, space.free()[:2], 2)
+    solver = assembler.solver
     tangents = space.derivatives(flat.position, 2)
     _, _, blocks = plate.membrane(flat.law, tangents)
     solver.factorise(assembler.tangent(blocks))

@@ -26,6 +26,9 @@ class Problem(Protocol):
     def derivatives(self, unknowns: Array) -> tuple[float, Array, sparse.csr_array]:
         """Return the energy, the residual and the upper triangle of the tangent."""
 
+    def residual(self, unknowns: Array) -> Array:
+        """Return the residual alone."""
+
     def shift(self) -> sparse.csr_array | None:
         """Return a positive semidefinite matrix of the tangent's pattern that makes it definite."""
 
@@ -38,6 +41,7 @@ class Iteration(NamedTuple):
     decrement: float  # residual . tangent^-1 residual
     step: float
     shift: float
+    fresh: float  # 1 for a new tangent, 0 for a step with the last one
 
 
 @dataclass(frozen=True)
@@ -54,7 +58,7 @@ class Options:
         First shift that is tried when the tangent is not positive definite.
     """
 
-    tolerance: float = 1.0e-20
+    tolerance: float = 1.0e-22
     max_iterations: int = 60
     first_shift: float = 1.0
 
@@ -92,9 +96,20 @@ class Minimum:
         return not self.reason
 
 
+def count(history: tuple[Iteration, ...]) -> int:
+    """Return the number of Newton iterations: those with a new tangent."""
+    return sum(1 for row in history if row.fresh)
+
+
 _MAX_SHIFTS = 30
 _MAX_HALVINGS = 30
+_MAX_QUASI = 8
 _ARMIJO = 1.0e-4
+# Near the minimum a step with the last tangent, updated by BFGS, costs a sixth of one with a new
+# tangent. Such steps begin when the decrement is this part of the energy and go on while each
+# divides it by this.
+_QUASI_DECREMENT = 1.0e-8
+_QUASI_GAIN = 10.0
 
 
 def minimise(problem: Problem, start: Array, solver: Solver, options: Options) -> Minimum:
@@ -135,7 +150,7 @@ def minimise(problem: Problem, start: Array, solver: Solver, options: Options) -
         decrement = -float(residual @ direction)
         scaled = float(np.abs(residual / np.sqrt(tangent.diagonal())).max())
         step, gain = _line_search(problem, unknowns, energy, direction, decrement)
-        history.append(Iteration(energy, scaled, decrement, step, shift))
+        history.append(Iteration(energy, scaled, decrement, step, shift, 1.0))
         if shift == 0.0 and 0.0 <= decrement <= options.tolerance * abs(energy):
             reason = ""
             break
@@ -144,8 +159,63 @@ def minimise(problem: Problem, start: Array, solver: Solver, options: Options) -
             break
         unknowns = unknowns + step * direction
         energy += gain
+        if shift == 0.0 and step == 1.0 and decrement <= _QUASI_DECREMENT * abs(energy):
+            unknowns, done = _finish(
+                problem, unknowns, solver, options, history, (residual, direction)
+            )
+            if done:
+                reason = ""
+                energy = problem.energy(unknowns)
+                break
         shift = 0.0 if shift < 1e-3 * options.first_shift else shift / 8.0
     return Minimum(unknowns, energy, tangent, tuple(history), reason)
+
+
+def _finish(
+    problem: Problem,
+    unknowns: Array,
+    solver: Solver,
+    options: Options,
+    history: list[Iteration],
+    last: tuple[Array, Array],
+) -> tuple[Array, bool]:
+    """Take BFGS steps from the last tangent while they gain much; return whether they converged.
+
+    Parameters
+    ----------
+    last : (residual, step)
+        Of the Newton step that led to `unknowns`.
+    """
+    residual, step = last
+    pairs: list[tuple[Array, Array]] = []
+    row = history[-1]
+    for _ in range(_MAX_QUASI):
+        new = problem.residual(unknowns)
+        pairs.append((step, new - residual))
+        residual = new
+        step = -_inverse_times(residual, pairs, solver)
+        decrement = -float(residual @ step)
+        history.append(row._replace(decrement=decrement, fresh=0.0))
+        unknowns = unknowns + step
+        if abs(decrement) <= options.tolerance * abs(row.energy):
+            return unknowns, True
+        if decrement * _QUASI_GAIN > history[-2].decrement:
+            break
+    return unknowns, False
+
+
+def _inverse_times(vector: Array, pairs: list[tuple[Array, Array]], solver: Solver) -> Array:
+    """Apply the inverse of the last tangent with BFGS updates for (step, change of residual)."""
+    vector = vector.copy()
+    parts = []
+    for step, change in reversed(pairs):
+        part = float(step @ vector) / float(step @ change)
+        vector -= part * change
+        parts.append(part)
+    result = solver.solve(vector)
+    for (step, change), part in zip(pairs, reversed(parts), strict=True):
+        result = result + (part - float(change @ result) / float(step @ change)) * step
+    return result
 
 
 def _factorise(

@@ -303,6 +303,11 @@ def membrane_energy(law: Law, derivatives: Array) -> Array:
     return law.energy(_flat_metric(derivatives))
 
 
+def membrane_force(law: Law, derivatives: Array) -> Array:
+    """Return dW/da of a flat sheet, (3, ...)."""
+    return law.derivatives(_flat_metric(derivatives))[0]
+
+
 def membrane_stiffness(law: Law, derivatives: Array) -> Array:
     """Return d2W/da2 of a flat sheet, (3, 3, ...)."""
     return law.derivatives(_flat_metric(derivatives))[1]

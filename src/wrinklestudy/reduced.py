@@ -30,12 +30,13 @@ class Reduced:
 
     def energy(self, q: Array) -> float:
         """Return 1/2 sum (t^2 - tau_i^2) q_i^2 + 1/2 sum G_ijkl q_i q_j q_k q_l."""
-        quartic = np.einsum("ijkl,i,j,k,l->", self.quartic, q, q, q, q, optimize=True)
+        square = np.outer(q, q).ravel()
+        quartic = square @ self.quartic.reshape(len(square), -1) @ square
         return 0.5 * float(self.stiffness @ q**2 + quartic)
 
     def derivatives(self, q: Array) -> tuple[Array, Array]:
         """Return the gradient and the Hessian."""
-        square = np.einsum("ijkl,k,l->ij", self.quartic, q, q)
+        square = (self.quartic.reshape(q.size**2, -1) @ np.outer(q, q).ravel()).reshape(q.size, -1)
         return self.stiffness * q + 2.0 * square @ q, np.diag(self.stiffness) + 6.0 * square
 
 

@@ -5,7 +5,7 @@ from functools import cached_property
 from time import perf_counter
 from typing import Any
 
-from wrinklestudy import planar, stability, wrinkle
+from wrinklestudy import newton, planar, stability, wrinkle
 from wrinklestudy.cases import resolved_thickness
 from wrinklestudy.fem.space import Parity, Space
 from wrinklestudy.material.laws import Material
@@ -63,7 +63,7 @@ class State:
             row |= dict.fromkeys(_MEASURED)
         return row | {
             "unstable_directions": state.unstable_directions,
-            "newton_iterations": len(state.history),
+            "newton_iterations": newton.count(state.history),
             "residual": state.residual,
             "reason": state.reason,
             "seconds": self.seconds,

@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 from scipy import sparse
 
 from wrinklestudy import newton, plate
-from wrinklestudy.fem.assembly import Assembler
-from wrinklestudy.fem.linear import make_solver
+from wrinklestudy.fem.assembly import shared_assembler
 from wrinklestudy.flat import Flat
 from wrinklestudy.material import laws
 from wrinklestudy.modes import Modes
@@ -43,7 +42,7 @@ class Settings:
         How many different seeds to minimise from at the most; the lowest energy is kept.
     """
 
-    tolerance: float = 1.0e-20
+    tolerance: float = 1.0e-22
     max_iterations: int = 60
     seeds: int = 1
 
@@ -94,7 +93,7 @@ class PlateProblem:
         self.flat = flat
         self.modes = modes
         self.section = plate.Section(flat.law, thickness, modes.bending)
-        self.assembler = Assembler(flat.space, flat.space.free(modes.parity), 5)
+        self.assembler = shared_assembler(flat.space, flat.space.free(modes.parity))
         self._shift: sparse.csr_array | None = None
         self._prescribed = np.zeros((3, flat.space.size))
         self._prescribed[:2] = flat.position
@@ -126,6 +125,10 @@ class PlateProblem:
         residual = assembler.residual(plate.gradient(surface, parts))[assembler.free]
         tangent = assembler.tangent(plate.hessian(surface, parts))
         return float((density * space.measure).sum()), residual, tangent
+
+    def residual(self, unknowns: Array) -> Array:
+        """Return the residual alone."""
+        return self.reactions(unknowns)[self.assembler.free]
 
     def reactions(self, unknowns: Array) -> Array:
         """Return the residual at every dof, (3, size); the reactions are at the prescribed ones."""
@@ -210,7 +213,7 @@ def _wrinkled(
 ) -> Equilibrium:
     """Minimise the energy from a seed and check what was found."""
     flat, modes = problem.flat, problem.modes
-    thickness, solver = problem.section.thickness, make_solver()
+    thickness, solver = problem.section.thickness, problem.assembler.solver
     options = newton.Options(
         tolerance=settings.tolerance,
         max_iterations=settings.max_iterations,
@@ -293,7 +296,7 @@ def write(state: Equilibrium, output: Path | str) -> None:
         "critical_thickness": nan if modes is None else modes.critical_thickness,
         "planar_width_over_width": width,
         "unstable_directions": state.unstable_directions,
-        "newton_iterations": len(state.history),
+        "newton_iterations": newton.count(state.history),
         "residual": state.residual,
         "history_columns": list(newton.Iteration._fields),
         "cells_along": along,

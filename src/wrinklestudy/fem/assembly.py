@@ -8,17 +8,19 @@ into the upper triangle of the global tangent.
 
 from dataclasses import dataclass
 from functools import cached_property
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 
+from wrinklestudy.fem.linear import Solver, make_solver
 from wrinklestudy.fem.space import Space
 
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Assembler:
     """Residual and tangent of an energy over some components of a field.
 
@@ -36,6 +38,11 @@ class Assembler:
     space: Space
     free: NDArray[np.bool_]
     derivatives: int = 5
+
+    @cached_property
+    def solver(self) -> Solver:
+        """A factorisation for tangents of this pattern, whose ordering is computed once."""
+        return make_solver()
 
     @property
     def pairs(self) -> list[tuple[int, int]]:
@@ -152,6 +159,22 @@ class Assembler:
         pattern, scatter = self._scatter
         data = scatter @ np.concatenate(parts)
         return sparse.csr_array((data, pattern.indices, pattern.indptr), shape=pattern.shape)
+
+
+_SHARED: WeakKeyDictionary[Space, dict[tuple[bytes, int], Assembler]] = WeakKeyDictionary()
+
+
+def shared_assembler(space: Space, free: NDArray[np.bool_], derivatives: int = 5) -> Assembler:
+    """Return the assembler for some unknowns of a space, the same one at each call.
+
+    Its sparsity pattern and the ordering of its factorisation then serve all strains and all
+    thicknesses that are solved on the space.
+    """
+    known = _SHARED.setdefault(space, {})
+    key = (np.packbits(free).tobytes(), derivatives)
+    if key not in known:
+        known[key] = Assembler(space, free, derivatives)
+    return known[key]
 
 
 def _sorted_order(keys: NDArray[np.int64], count: int) -> NDArray[np.int64]:

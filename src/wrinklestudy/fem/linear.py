@@ -66,6 +66,12 @@ def make_solver() -> Solver:
     return SuperLUSolver()
 
 
+def symmetric(upper: sparse.csr_array) -> sparse.csr_array:
+    """Return the whole symmetric matrix from its upper triangle."""
+    whole = upper + upper.T - sparse.diags_array(upper.diagonal())
+    return sparse.csr_array(whole)
+
+
 def multiply(upper: sparse.csr_array, vector: Array) -> Array:
     """Return the product of a symmetric matrix (its upper triangle is given) and a vector."""
     product: Array = upper @ vector + upper.T @ vector
@@ -234,9 +240,8 @@ class SuperLUSolver:
         from scipy.sparse.linalg import splu
 
         scaled, scale = _scaled(upper)
-        full = scaled + scaled.T - sparse.diags_array(scaled.diagonal())
         factor = splu(
-            full.tocsc(),
+            symmetric(scaled).tocsc(),
             permc_spec="MMD_AT_PLUS_A",
             diag_pivot_thresh=0.0,
             options={"SymmetricMode": True},
@@ -258,7 +263,7 @@ class SuperLUIndefinite:
         from scipy.sparse.linalg import splu
 
         self.negative = SuperLUSolver().negative(upper)
-        self._factor = splu((upper + upper.T - sparse.diags_array(upper.diagonal())).tocsc())
+        self._factor = splu(symmetric(upper).tocsc())
 
     def solve(self, rhs: Array) -> Array:
         """Solve with the last factorised matrix."""

@@ -21,7 +21,7 @@ Parity = Literal["antisymmetric", "symmetric"]
 DERIVATIVES = ((1, 0), (0, 1), (2, 0), (0, 2), (1, 1))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Space:
     """Bicubic Hermite functions on a tensor grid of the quarter sheet.
 
