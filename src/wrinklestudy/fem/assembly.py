@@ -147,6 +147,10 @@ class Assembler:
             One block of second derivatives of the energy density for each of `pairs`, with the
             rows of `entries`. The blocks are overwritten.
         """
+        return self.scatter(self.element_tangents(hessian))
+
+    def element_tangents(self, hessian: list[Array]) -> Array:
+        """Return the entries of all element tangents, in the order of `scatter`; see `tangent`."""
         space = self.space
         parts = []
         for (c, d), block in zip(self.pairs, hessian, strict=True):
@@ -156,8 +160,12 @@ class Assembler:
             block *= space.measure
             products = self._products[int(c == d)]
             parts.append((products @ block.reshape(products.shape[1], -1)).ravel())
+        return np.concatenate(parts)
+
+    def scatter(self, elements: Array) -> sparse.csr_array:
+        """Add up element entries into the upper triangle of the tangent."""
         pattern, scatter = self._scatter
-        data = scatter @ np.concatenate(parts)
+        data = scatter @ elements
         return sparse.csr_array((data, pattern.indices, pattern.indptr), shape=pattern.shape)
 
 
