@@ -2,6 +2,9 @@
 
 PYTHON ?= python3
 CORES ?= all
+# make report CONFIG=config/quick.yaml REPORT=report/quick.html
+CONFIG ?=
+REPORT ?= report/report.html
 BIN := .venv/bin
 READY := $(BIN)/.ready
 LOCK := requirements/lock.txt
@@ -12,7 +15,7 @@ SNAKEMAKE := $(BIN)/snakemake --cores $(CORES) --quiet host rules
 ONE_THREAD := OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 .DEFAULT_GOAL := help
-.PHONY: help env figures quick test lint lock
+.PHONY: help env figures quick report test verify lint lock
 
 help: ## list the targets
 	@sed -n 's/^\([a-z]*\):.*## /  make \1	/p' $(MAKEFILE_LIST)
@@ -33,14 +36,22 @@ figures: $(READY) ## run the default study (config.yaml) on all cores: figures/
 quick: $(READY) ## run the same on a coarse mesh with three strains: figures/quick/
 	$(SNAKEMAKE) --configfile config/quick.yaml
 
+report: $(READY) ## run the study and put figures, claims and run times into report/report.html
+	$(SNAKEMAKE) $(CONFIG:%=--configfile %)
+	@mkdir -p $(dir $(REPORT))
+	$(SNAKEMAKE) $(CONFIG:%=--configfile %) --report $(REPORT)
+
 test: $(READY) ## run the tests, with the quick study as one of them
 	$(ONE_THREAD) $(BIN)/python -m pytest --numprocesses auto --dist loadgroup
+
+verify: $(READY) ## compute the evidence that the numbers are right: docs/verification.md
+	$(SNAKEMAKE) --snakefile verification/Snakefile
 
 lint: $(READY) ## check style, types and workflow
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
-	$(BIN)/snakefmt --check Snakefile workflow
+	$(BIN)/snakefmt --check Snakefile workflow verification
 	$(BIN)/python workflow/lint.py
 
 lock: ## resolve the newest requirements that pyproject.toml allows

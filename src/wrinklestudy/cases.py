@@ -17,27 +17,25 @@ DESIGN_THICKNESS = 1.0e-3
 VALUE_PATTERN = r"(?:0|[1-9][0-9]*)(?:\.[0-9]*[1-9])?"
 NAME_PATTERN = r"[a-z0-9]+(?:[-_][a-z0-9]+)*"
 
-# Path of each output without its root folder and suffix.
-_STEMS = {
-    "material": "material/{material}",
-    "mesh": "mesh/aspect{aspect}_resolves{resolved}",
-    "planar": "planar/{material}/aspect{aspect}_resolves{resolved}/strain{strain}",
-    "stability": "stability/{material}/aspect{aspect}_thickness{thickness}",
-    "wrinkle": "wrinkle/{material}/aspect{aspect}_thickness{thickness}/strain{strain}",
-    "metrics": "metrics/metrics",
-    "metrics_stability": "metrics/stability",
-    "figures": "figures/{figure}",
-    "gate": "gate/gate",
-}
-_SUFFIXES = {
-    "material": ".json",
-    "mesh": ".vtu",
-    "planar": ".h5",
-    "stability": ".json",
-    "wrinkle": ".h5",
-    "metrics": ".csv",
-    "metrics_stability": ".csv",
-    "gate": ".json",
+_SHEET = "{material}/aspect{aspect}_thickness{thickness}"
+
+# Path of each output without its root folder, and its suffix. A stage with several outputs has
+# its logs and run times under the name of the first.
+_OUTPUTS = {
+    "material": ("material/{material}", ".json"),
+    "mesh": ("mesh/aspect{aspect}_resolves{resolved}", ".vtu"),
+    "planar": ("planar/{material}/aspect{aspect}_resolves{resolved}/strain{strain}", ".h5"),
+    "stability": (f"stability/{_SHEET}", ".json"),
+    "wrinkle": (f"wrinkle/{_SHEET}/strain{{strain}}", ".h5"),
+    "metrics": (f"metrics/{_SHEET}", ".csv"),
+    "summary": ("summary/states", ".csv"),
+    "summary_stability": ("summary/stability", ".csv"),
+    "summary_peaks": ("summary/peaks", ".csv"),
+    "figures": ("figures/{figure}", ""),
+    "claims": ("claims/claims", ".csv"),
+    "claims_page": ("claims/claims", ".html"),
+    "claims_table": ("claims/table1", ".csv"),
+    "gate": ("gate/gate", ".json"),
 }
 
 
@@ -119,7 +117,7 @@ class Sheet:
     Parameters
     ----------
     material : str
-        Name of the material in the config.
+        Name of the material in the config, or of a variant of one.
     aspect : float
         Length over width, L/W.
     thickness : float
@@ -182,9 +180,9 @@ class Paths:
     results: str = "results"
     figures: str = "figures"
 
-    def pattern(self, stage: str) -> str:
-        """Return the path of a stage's output with wildcards such as ``{strain}``."""
-        return f"{self.results}/{_STEMS[stage]}{_SUFFIXES[stage]}"
+    def pattern(self, output: str) -> str:
+        """Return the path of an output with wildcards such as ``{strain}``."""
+        return f"{self.results}/{''.join(_OUTPUTS[output])}"
 
     def figure(self, suffix: str) -> str:
         """Return the path of a figure with the wildcard ``{figure}``; suffix .pdf or .png."""
@@ -192,19 +190,19 @@ class Paths:
 
     def log(self, stage: str) -> str:
         """Return the path of a stage's log files, with the wildcards of its output."""
-        return f"{self.results}/log/{_STEMS[stage]}.log"
+        return f"{self.results}/log/{_OUTPUTS[stage][0]}.log"
 
     def benchmark(self, stage: str) -> str:
         """Return the path of a stage's run times, with the wildcards of its output."""
-        return f"{self.results}/benchmark/{_STEMS[stage]}.tsv"
+        return f"{self.results}/benchmark/{_OUTPUTS[stage][0]}.tsv"
 
-    def of(self, stage: str, **wildcards: str | float) -> str:
+    def of(self, output: str, **wildcards: str | float) -> str:
         """Return the path of one output: names as they are, numbers in the one format."""
         texts = {
             name: value if isinstance(value, str) else format_value(value)
             for name, value in wildcards.items()
         }
-        return self.pattern(stage).format(**texts)
+        return self.pattern(output).format(**texts)
 
     def planar(self, case: Case) -> str:
         """Return the flat state that a case starts from."""
@@ -228,8 +226,8 @@ class Paths:
             strain=case.strain,
         )
 
-    def stability(self, sheet: Sheet) -> str:
-        """Return the critical thicknesses of a sheet."""
+    def of_sheet(self, output: str, sheet: Sheet) -> str:
+        """Return the one output of a stage for a sheet: stability or metrics."""
         return self.of(
-            "stability", material=sheet.material, aspect=sheet.aspect, thickness=sheet.thickness
+            output, material=sheet.material, aspect=sheet.aspect, thickness=sheet.thickness
         )

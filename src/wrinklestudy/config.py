@@ -1,27 +1,32 @@
 """The config of a study: what may stand in it, and one clear line for each thing that may not."""
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Any, Literal
+from dataclasses import replace
+from functools import cached_property
+from itertools import groupby
+from operator import attrgetter
+from typing import Annotated, Any
 
-from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag, ValidationError
+from pydantic import Field, ValidationError
 
 from wrinklestudy import cases
 from wrinklestudy.cases import Case, Sheet
-from wrinklestudy.config_errors import closest, line
-from wrinklestudy.config_values import (
-    Aspect,
-    Figure,
-    Filled,
-    Name,
-    Strain,
-    Text,
-    Thickness,
-    Window,
-    count,
-    number,
-    requirement,
+from wrinklestudy.config_blocks import (
+    Block,
+    Figures,
+    FigureSheet,
+    Folders,
+    Gate,
+    Material,
+    Mesh,
+    Plate,
+    Series,
+    Solver,
+    StrainRange,
+    Variant,
 )
-from wrinklestudy.figures import FIGURES
+from wrinklestudy.config_errors import closest, line
+from wrinklestudy.config_values import Filled, Name, requirement
 
 MAX_STRAINS = 1000
 
@@ -38,136 +43,19 @@ class ConfigError(ValueError):
     """The config is wrong; the message has one line per problem."""
 
 
-class _Block(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True)
-
-
-class Material(_Block):
-    """Measured stress-strain data and the law that is fitted to it."""
-
-    data: Text = Field(description="CSV file with stress against strain")
-    law: Literal["mooney-rivlin", "neo-hookean", "svk"] = Field(description="law to fit")
-    stretch: Window | None = Field(
-        default=None, description="lowest and highest stretch to fit; all of the data if left out"
-    )
-    modes: Filled[Literal["uniaxial", "biaxial", "shear"]] | None = Field(
-        default=None, description="deformation modes to fit; all of the data if left out"
-    )
-
-
-class StrainRange(_Block):
-    """Equally spaced strains, both ends included."""
-
-    start: Strain = Field(description="first strain")
-    stop: Strain = Field(description="last strain")
-    step: Strain = Field(description="distance of the strains")
-
-
-def _strain_kind(value: Any) -> str:
-    return "range" if isinstance(value, Mapping | StrainRange) else "list"
-
-
-class Series(_Block):
-    """All combinations of the aspects, thicknesses and strains that are listed."""
-
-    material: Name = Field(description="one of the materials")
-    aspect: Filled[Aspect] = Field(description="length over width, L/W")
-    thickness: Filled[Thickness] = Field(description="thickness over width, t/W")
-    strain: Annotated[
-        Annotated[Filled[Strain], Tag("list")] | Annotated[StrainRange, Tag("range")],
-        Discriminator(_strain_kind),
-    ] = Field(description="strains (L' - L)/L, as a list or as {start, stop, step}")
-
-    @property
-    def strains(self) -> tuple[float, ...]:
-        """The strains, each once, sorted."""
-        if isinstance(self.strain, StrainRange):
-            return cases.strain_range(self.strain.start, self.strain.stop, self.strain.step)
-        return tuple(sorted({cases.canonical(strain) for strain in self.strain}))
-
-
-class Mesh(_Block):
-    """Cells of the quarter sheet, for L/W = 2 and t/W = 1e-3; scaled for other sheets."""
-
-    cells_across: Annotated[int, count(2, 500)] = Field(
-        default=36, description="cells from the mid-line to the free edge"
-    )
-    cells_along: Annotated[int, count(2, 500)] = Field(
-        default=24, description="cells from the middle to the clamp"
-    )
-    grading: Annotated[float, number(">= 1 and <= 4", lambda v: 1 <= v <= 4)] = Field(
-        default=1.5, description="exponent by which the cells shrink toward the clamp; 1 is uniform"
-    )
-
-
-class Plate(_Block):
-    """Model of the sheet."""
-
-    bending: Literal["thinning", "fixed-thickness", "fvk"] = Field(
-        default="thinning", description="law of bending"
-    )
-    parity: Literal["antisymmetric", "symmetric"] = Field(
-        default="antisymmetric", description="symmetry of the wrinkles across the sheet"
-    )
-
-
-class Solver(_Block):
-    """Numerical settings of the solves."""
-
-    modes: Annotated[int, count(1, 50)] = Field(
-        default=8, description="leading critical thicknesses and modes that are computed"
-    )
-    tolerance: Annotated[float, number("> 0 and <= 1e-6", lambda v: 0 < v <= 1e-6)] = Field(
-        default=1e-20, description="Newton decrement over energy at which a state has converged"
-    )
-    max_iterations: Annotated[int, count(1, 10000)] = Field(
-        default=60, description="Newton iterations from each seed"
-    )
-    seeds: Annotated[int, count(1, 50)] = Field(
-        default=1, description="starting points of each wrinkled state; the lowest energy is kept"
-    )
-
-
-class Gate(_Block):
-    """When a finished study counts as failed."""
-
-    allow_not_converged: Annotated[int, count(0, 1000000)] = Field(
-        default=0, description="number of cases that may end without convergence"
-    )
-
-
-class FigureSheet(_Block):
-    """The sheet that the figures of a single sheet show."""
-
-    material: Name = Field(description="one of the materials")
-    aspect: Aspect = Field(description="length over width, L/W")
-    thickness: Thickness = Field(description="thickness over width, t/W")
-
-
-class Figures(_Block):
-    """Which figures are made."""
-
-    names: Filled[Figure] = Field(default=tuple(FIGURES), description="figures to make")
-    sheet: FigureSheet = Field(description="the sheet that the figures of a single sheet show")
-
-
-class Folders(_Block):
-    """Where the outputs go."""
-
-    results: Text = Field(default="results", description="folder of the results")
-    figures: Text = Field(default="figures", description="folder of the figures")
-
-
-class Study(_Block):
+class Study(Block):
     """A whole study."""
 
-    folders: Folders = Field(default_factory=Folders, description="where the outputs go")
+    folders: Folders = Field(default_factory=Folders, description="where files are")
     materials: Annotated[
         dict[Name, Material],
         requirement(
             "must be a block with at least one material", lambda v: isinstance(v, Mapping) and v
         ),
     ] = Field(description="materials by name")
+    variants: Annotated[
+        dict[Name, Variant], requirement("must be a block", lambda v: isinstance(v, Mapping))
+    ] = Field(default_factory=dict, description="variants of the materials by name")
     sheets: Filled[Series] = Field(description="the sheets and strains to compute")
     mesh: Mesh = Field(default_factory=Mesh, description="mesh of the quarter sheet")
     plate: Plate = Field(default_factory=Plate, description="model of the sheet")
@@ -175,15 +63,43 @@ class Study(_Block):
     gate: Gate = Field(default_factory=Gate, description="when the study counts as failed")
     figures: Figures = Field(description="which figures are made")
 
-    def settings(self, stage: str) -> dict[str, Any]:
-        """Return the settings that a stage takes, sorted: only what it depends on."""
+    def base(self, model: str) -> str:
+        """Return the material of a model, which is a material or a variant of one."""
+        return self.variants[model].material if model in self.variants else model
+
+    def settings(self, stage: str, model: str = "") -> dict[str, Any]:
+        """Return the settings that a stage takes, sorted: only what it depends on.
+
+        Parameters
+        ----------
+        stage : str
+            Name of the stage.
+        model : str, optional
+            Material or variant; what a variant sets goes over the block plate.
+        """
         blocks = {**self.mesh.model_dump(), **self.plate.model_dump(), **self.solver.model_dump()}
+        if model in self.variants:
+            blocks |= self.variants[model].model_dump(exclude_none=True)
         return {key: blocks[key] for key in sorted(_SETTINGS[stage])}
 
-    @property
+    @cached_property
     def cases(self) -> tuple[Case, ...]:
         """All cases, each once, sorted."""
         return cases.cases((s.material, s.aspect, s.thickness, s.strains) for s in self.sheets)
+
+    @cached_property
+    def _cases_by_sheet(self) -> dict[Sheet, tuple[Case, ...]]:
+        groups = groupby(self.cases, key=attrgetter("sheet"))
+        return {sheet: tuple(found) for sheet, found in groups}
+
+    @property
+    def all_sheets(self) -> tuple[Sheet, ...]:
+        """All sheets, each once, sorted."""
+        return tuple(self._cases_by_sheet)
+
+    def cases_of(self, sheet: Sheet) -> tuple[Case, ...]:
+        """Return the cases of a sheet by strain; none if the study lacks it."""
+        return self._cases_by_sheet.get(sheet, ())
 
     @property
     def figure_sheet(self) -> Sheet:
@@ -192,6 +108,12 @@ class Study(_Block):
         return Sheet(
             sheet.material, cases.canonical(sheet.aspect), cases.canonical(sheet.thickness)
         )
+
+    @property
+    def compared_sheets(self) -> tuple[Sheet, ...]:
+        """The sheets of the figures that compare models: that of `figure_sheet` in each model."""
+        models = dict.fromkeys(self.figures.compare or (self.figures.sheet.material,))
+        return tuple(replace(self.figure_sheet, material=model) for model in models)
 
 
 def parse_config(raw: Any, source: str) -> Study:
@@ -228,22 +150,42 @@ def parse_config(raw: Any, source: str) -> Study:
 
 def _contradictions(study: Study) -> Iterator[str]:
     """Yield the problems between keys that are right by themselves."""
-    known = list(study.materials)
+    yield from _wrong_variants(study)
+    known = [*study.materials, *study.variants]
     for i, series in enumerate(study.sheets):
         key, span = f"sheets[{i}]", series.strain
         if series.material not in known:
             hint = closest(series.material, known)
-            yield f"{key}.material = {series.material!r}: is not in materials{hint}"
+            yield f"{key}.material = {series.material!r}: is not in materials or variants{hint}"
         if isinstance(span, StrainRange) and span.stop < span.start:
             yield f"{key}.strain.stop = {span.stop:g}: must be >= start = {span.start:g}"
         elif isinstance(span, StrainRange) and span.stop - span.start > MAX_STRAINS * span.step:
             yield f"{key}.strain.step = {span.step:g}: must leave at most {MAX_STRAINS} strains"
+    yield from _missing_figure_sheets(study)
+
+
+def _wrong_variants(study: Study) -> Iterator[str]:
+    for name, variant in study.variants.items():
+        if name in study.materials:
+            yield f"variants.{name}: is the name of a material; a variant needs one of its own"
+        if variant.material not in study.materials:
+            hint = closest(variant.material, study.materials)
+            yield f"variants.{name}.material = {variant.material!r}: is not in materials{hint}"
+        if variant.bending is None and variant.parity is None:
+            yield f"variants.{name}: must have bending, parity or both"
+
+
+def _missing_figure_sheets(study: Study) -> Iterator[str]:
     shown = study.figures.sheet
-    if not any(_holds(series, shown) for series in study.sheets):
-        yield (
-            f"figures.sheet = {shown.material}, {shown.aspect:g}, {shown.thickness:g}: "
-            "must be a sheet of sheets (material, aspect, thickness)"
-        )
+    models = {"sheet": shown.material}
+    models |= {f"compare[{i}]": model for i, model in enumerate(study.figures.compare)}
+    for key, model in models.items():
+        sheet = shown.model_copy(update={"material": model})
+        if not any(_holds(series, sheet) for series in study.sheets):
+            yield (
+                f"figures.{key} = {model}, {shown.aspect:g}, {shown.thickness:g}: "
+                "must be a sheet of sheets (material, aspect, thickness)"
+            )
 
 
 def _holds(series: Series, sheet: FigureSheet) -> bool:

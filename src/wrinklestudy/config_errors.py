@@ -39,8 +39,12 @@ def _requirement(error: ErrorDetails) -> str:
 
 
 def _dotted(path: list[int | str]) -> str:
-    text = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in path)
+    text = "".join(f"[{part}]" if isinstance(part, int) else f".{_key(part)}" for part in path)
     return text.removeprefix(".") or "the config"
+
+
+def _key(name: str) -> str:
+    return name if name.isprintable() else repr(name)  # it may hold a line break
 
 
 def _short(value: Any) -> str:

@@ -148,7 +148,7 @@ def minimise(problem: Problem, start: Array, solver: Solver, options: Options) -
         shift = factor_shift
         direction = -solver.solve(residual)
         decrement = -float(residual @ direction)
-        scaled = float(np.abs(residual / np.sqrt(tangent.diagonal())).max())
+        scaled = float(np.abs(residual / np.sqrt(np.abs(tangent.diagonal()))).max())
         step, gain = _line_search(problem, unknowns, energy, direction, decrement)
         history.append(Iteration(energy, scaled, decrement, step, shift, 1.0))
         if shift == 0.0 and 0.0 <= decrement <= options.tolerance * abs(energy):

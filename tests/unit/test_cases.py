@@ -133,7 +133,26 @@ def test_sheets_of_one_class_share_the_planar_state_but_not_the_wrinkle():
     assert paths.planar(thin) == "results/quick/planar/latex/aspect2_resolves0.001/strain0.1.h5"
 
 
-STAGES = ("material", "mesh", "planar", "stability", "wrinkle", "metrics", "gate")
+@pytest.mark.parametrize("output", ["metrics", "stability"])
+def test_a_sheet_has_one_file_of_its_own(output):
+    paths = Paths("out")
+    sheets = [Sheet(name, a, t) for name in ("a", "b") for a in (1.5, 2.0) for t in (5e-4, 1e-3)]
+    files = {paths.of_sheet(output, sheet) for sheet in sheets}
+    assert len(files) == len(sheets)
+    assert all(file.startswith(f"out/{output}/") for file in files)
+
+
+STAGES = (
+    "material",
+    "mesh",
+    "planar",
+    "stability",
+    "wrinkle",
+    "metrics",
+    "summary",
+    "claims",
+    "gate",
+)
 
 
 @pytest.mark.parametrize("stage", STAGES)

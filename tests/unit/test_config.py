@@ -10,7 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from wrinklestudy import planar, wrinkle
+from wrinklestudy.cases import Sheet
 from wrinklestudy.config import ConfigError, parse_config
+from wrinklestudy.config_figures import sheets_shown
 from wrinklestudy.figures import FIGURES
 from wrinklestudy.mesh import MeshSettings
 
@@ -113,11 +115,46 @@ STRAIN = ("sheets", 0, "strain")
         ),
         (("materials",), {}, "materials = {}: must be a block with at least one material"),
         (
-            ("figures", "sheet", "aspect"),
-            3.0,
-            "figures.sheet = latex, 3, 0.001: must be a sheet of sheets "
+            ("figures", "sheet", "material"),
+            "latex-symetric",
+            "figures.sheet = latex-symetric, 2, 0.001: must be a sheet of sheets "
             "(material, aspect, thickness)",
         ),
+        (
+            ("figures", "compare"),
+            ["latex", "treloar"],
+            "figures.compare[1] = treloar, 2, 0.001: must be a sheet of sheets "
+            "(material, aspect, thickness)",
+        ),
+        (("figures", "compare"), "latex", "figures.compare = 'latex': must be a list"),
+        (
+            ("variants", "latex-fixed"),
+            {"material": "latx", "bending": "fvk"},
+            "variants.latex-fixed.material = 'latx': is not in materials; did you mean latex? "
+            f"allowed: {', '.join(RAW['materials'])}",
+        ),
+        (
+            ("variants", "latex"),
+            {"material": "latex", "bending": "fvk"},
+            "variants.latex: is the name of a material; a variant needs one of its own",
+        ),
+        (
+            ("variants", "latex-fixed"),
+            {"material": "latex"},
+            "variants.latex-fixed: must have bending, parity or both",
+        ),
+        (
+            ("variants", "latex-fixed", "bending"),
+            "fixed",
+            "variants.latex-fixed.bending = 'fixed': must be 'thinning', 'fixed-thickness' or "
+            "'fvk'",
+        ),
+        (
+            ("variants", "Fixed"),
+            {"material": "latex", "bending": "fvk"},
+            "variants.Fixed = 'Fixed': must be a name of lower-case letters, digits, '-' and '_'",
+        ),
+        (("variants",), None, "variants = null: must be a block"),
         (("folders", "results"), "", "folders.results = '': must be text"),
     ],
 )
@@ -131,7 +168,8 @@ def test_an_unknown_material_gets_the_closest_known_one():
     with pytest.raises(ConfigError) as caught:
         parse_config(changed(("sheets", 0, "material"), "latx"), "config.yaml")
     first = str(caught.value).splitlines()[0]
-    assert first.startswith("config.yaml: sheets[0].material = 'latx': is not in materials; ")
+    start = "config.yaml: sheets[0].material = 'latx': is not in materials or variants; "
+    assert first.startswith(start)
     assert "did you mean latex?" in first
 
 
@@ -172,7 +210,13 @@ def test_whatever_stands_in_a_config_is_taken_or_refused_with_lines_that_name_it
     except ConfigError as error:
         lines = str(error).splitlines()
         assert all(line.startswith("c.yaml: ") for line in lines)
-        assert any(line.startswith(f"c.yaml: {place[0]}") for line in lines)
+        assert any(place[0] in line for line in lines)
+
+
+def test_a_key_with_a_line_break_still_makes_one_line():
+    with pytest.raises(ConfigError) as caught:
+        parse_config(changed(("mesh", "cells\nacross"), 36), "c.yaml")
+    assert len(str(caught.value).splitlines()) == 1
 
 
 def test_numbers_that_yaml_takes_for_text_are_numbers():
@@ -180,17 +224,44 @@ def test_numbers_that_yaml_takes_for_text_are_numbers():
     assert parse_config(raw, "c").cases == parse_config(RAW, "c").cases
 
 
-def test_the_default_study_is_the_sheet_of_the_paper():
+def test_the_default_study_has_the_sheets_of_the_paper():
     study = parse_config(RAW, "config.yaml")
-    assert {case.sheet for case in study.cases} == {study.figure_sheet}
-    assert (study.figure_sheet.aspect, study.figure_sheet.thickness) == (2.0, 1e-3)
-    assert [case.strain for case in study.cases] == [k / 50 for k in range(1, 26)]
+    assert study.figure_sheet == Sheet("latex", 2.0, 1e-3)
+    paper = [k / 50 for k in range(1, 26)]
+    assert set(paper) <= {case.strain for case in study.cases_of(study.figure_sheet)}
+    aspects = {sheet.aspect for sheet in sheets_shown(study, "fig06_aspect")}
+    assert aspects >= {1.5, 1.8, 2.0, 2.5, 3.0, 3.5}
+    thicknesses = {sheet.thickness for sheet in sheets_shown(study, "fig06_thickness")}
+    assert thicknesses >= {5e-4, 7e-4, 1e-3, 1.2e-3, 1.4e-3, 1.6e-3}
+    laws = {study.materials[study.base(one.material)].law for one in study.compared_sheets}
+    assert laws == {"mooney-rivlin", "neo-hookean", "svk"}
     assert study.figures.names == tuple(FIGURES)
+
+
+def test_a_variant_changes_what_it_names_and_nothing_else():
+    raw = changed(("variants",), {"stiff": {"material": "latex", "bending": "fixed-thickness"}})
+    raw["plate"]["parity"] = "symmetric"
+    raw["sheets"] = [{**RAW["sheets"][0], "material": name} for name in ("latex", "stiff")]
+    raw["figures"]["compare"] = ["stiff", "latex", "stiff"]
+    study = parse_config(raw, "c")
+    assert study.base("stiff") == study.base("latex") == "latex"
+    for stage in ("planar", "stability"):
+        own, base = study.settings(stage, "stiff"), study.settings(stage, "latex")
+        assert base == study.settings(stage) == {**own, "bending": "thinning"}
+        assert own["bending"] == "fixed-thickness"
+        assert own["parity"] == "symmetric"
+    assert study.settings("wrinkle", "stiff") == study.settings("wrinkle")
+    assert [sheet.material for sheet in study.compared_sheets] == ["stiff", "latex"]
+
+
+def test_the_figures_compare_the_material_of_their_sheet_if_nothing_is_said():
+    study = parse_config(changed(("figures", "compare"), DELETED), "c")
+    assert study.compared_sheets == (study.figure_sheet,)
 
 
 def test_a_key_left_out_has_the_value_of_the_library():
     """A study, the command line and a script must not differ by defaults of their own."""
-    bare = {key: RAW[key] for key in ("materials", "sheets", "figures")}
+    bare = {key: RAW[key] for key in ("materials", "variants", "sheets", "figures")}
     study = parse_config(bare, "bare.yaml")
     assert MeshSettings(**study.settings("mesh")) == MeshSettings()
     assert planar.Settings(**study.settings("planar")) == planar.Settings()

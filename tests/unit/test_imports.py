@@ -32,9 +32,18 @@ LAYERS = [
     {"planar"},
     {"stability", "wrinkle"},
     {"branch", "inertia"},
-    {"metrics"},
-    {"figures", "sheet"},
-    {"config", "config_errors", "config_values", "cli", "__init__"},
+    {"experiment", "metrics", "summary"},
+    {"claims", "figures", "sheet"},
+    {
+        "config",
+        "config_blocks",
+        "config_errors",
+        "config_figures",
+        "config_values",
+        "cli",
+        "verification",
+        "__init__",
+    },
 ]
 
 

@@ -1,7 +1,4 @@
-"""The tables of a study: every state has its row, and the same files give the same bytes."""
-
-import subprocess
-import sys
+"""The table of a sheet: every state has its row, and the same files give the same bytes."""
 
 import numpy as np
 import pandas as pd
@@ -9,7 +6,7 @@ import pytest
 
 from wrinklestudy import metrics
 from wrinklestudy.metrics.table import CASE
-from wrinklestudy.store import write_h5, write_json
+from wrinklestudy.store import write_h5
 
 GRID_X, GRID_Y = np.linspace(0.0, 1.0, 9), np.linspace(0.0, 0.5, 25)
 
@@ -45,34 +42,25 @@ def write_state(path, strain, status="wrinkled", amplitude=3e-3, **other):
     return path
 
 
-def write_stability(path, **other):
-    case = dict(zip(CASE, ("latex", "mooney-rivlin", "thinning", "antisymmetric"), strict=False))
-    numbers = {"birth_strain": 0.025, "decay_strain": None, "max_critical_thickness": 1.5e-3}
-    sheet = {"aspect": 2.0, "thickness": 1e-3, "strain_at_max": 0.1, "critical_thickness": []}
-    write_json(path, case | sheet | numbers | other)
-    return path
-
-
 @pytest.fixture
-def study(tmp_path):
+def sheet(tmp_path):
     states = [
         write_state(tmp_path / "c.h5", 0.3, "not-converged", reason="60 iterations, no, decrease"),
         write_state(tmp_path / "a.h5", 0.02, "flat", amplitude=1e-8),
         write_state(tmp_path / "b.h5", 0.1 + 0.2 - 0.1),
     ]
-    return states, [write_stability(tmp_path / "s.json")], tmp_path / "out" / "metrics.csv"
+    return states, tmp_path / "out" / "metrics.csv"
 
 
-def tables(study):
-    states, sheets, output = study
-    metrics.run(states, sheets, output, output.with_name("stability.csv"))
-    return pd.read_csv(output), pd.read_csv(output.with_name("stability.csv"))
+def table(sheet):
+    metrics.run(*sheet)
+    return pd.read_csv(sheet[1])
 
 
-def test_every_state_has_a_row_and_a_hole_has_no_measures(study):
-    table, _ = tables(study)
-    assert list(table["status"]) == ["flat", "wrinkled", "not-converged"]
-    flat, wrinkled, hole = (row for _, row in table.iterrows())
+def test_every_state_has_a_row_and_a_hole_has_no_measures(sheet):
+    found = table(sheet)
+    assert list(found["status"]) == ["flat", "wrinkled", "not-converged"]
+    flat, wrinkled, hole = (row for _, row in found.iterrows())
     assert flat["amplitude_over_thickness"] == flat["phi_squared"] == 0.0
     assert flat["arc_width_over_width"] == pytest.approx(1.0)
     assert np.isnan([flat["wavelength_over_width"], flat["shape_constant"]]).all()
@@ -85,33 +73,27 @@ def test_every_state_has_a_row_and_a_hole_has_no_measures(study):
     assert hole["newton_iterations"] == 7
 
 
-def test_numbers_keep_all_their_digits(study):
-    table, _ = tables(study)
-    assert table["strain"][1] == 0.1 + 0.2 - 0.1
-    assert table["residual"][0] == 0.1 + 0.2
-    assert "0.30000000000000004" in study[2].read_text()
+def test_numbers_keep_all_their_digits(sheet):
+    found = table(sheet)
+    assert found["strain"][1] == 0.1 + 0.2 - 0.1
+    assert found["residual"][0] == 0.1 + 0.2
+    assert found["cells_along"].dtype == np.int64
+    assert "0.30000000000000004" in sheet[1].read_text()
 
 
-def test_the_order_of_the_files_does_not_matter(study):
-    states, sheets, output = study
-    tables(study)
+def test_the_order_of_the_files_does_not_matter(sheet):
+    states, output = sheet
+    table(sheet)
     first = output.read_bytes()
-    metrics.run(states[::-1], sheets, output, output.with_name("stability.csv"))
+    metrics.run(states[::-1], output)
     assert output.read_bytes() == first
 
 
-def test_a_sheet_without_decay_has_an_empty_cell(study):
-    _, sheets = tables(study)
-    assert list(sheets.columns) == list(metrics.STABILITY_COLUMNS)
-    assert sheets["birth_strain"][0] == 0.025
-    assert np.isnan(sheets["decay_strain"][0])
-
-
-def test_one_case_twice_is_refused_before_anything_is_written(study, tmp_path):
-    states, sheets, output = study
+def test_one_case_twice_is_refused_before_anything_is_written(sheet, tmp_path):
+    states, output = sheet
     twin = write_state(tmp_path / "twin.h5", 0.02)
     with pytest.raises(ValueError, match=r"twin.h5: holds the same case as .*a.h5"):
-        metrics.run([*states, twin], sheets, output, output.with_name("stability.csv"))
+        metrics.run([*states, twin], output)
     assert not output.parent.exists()
 
 
@@ -126,6 +108,3 @@ def test_a_file_of_another_kind_gets_one_line_that_names_it(tmp_path):
     write_h5(path, {"grid/x": GRID_X}, attributes(0.1, "wrinkled"))
     with pytest.raises(ValueError, match=r"planar.h5: dataset 'grid/y' is missing"):
         metrics.measure_state(path)
-    write_json(tmp_path / "other.json", [1, 2])
-    with pytest.raises(ValueError, match=r"other.json: 'material' is missing"):
-        metrics.table.stability_row(tmp_path / "other.json")

@@ -56,6 +56,11 @@ class Study:
         assert bool(jobs) != ("Nothing to be done" in text), text
         return jobs
 
+    def copied_to(self, folder: Path) -> "Study":
+        """Return a copy to be changed, in a folder that is not there yet."""
+        shutil.copytree(self.folder, folder)  # keeps the times of the files
+        return Study(folder)
+
     def edit(self, name: str, old: str, new: str) -> None:
         """Replace a text that stands once in a file."""
         path = self.folder / name
@@ -84,6 +89,4 @@ def finished_quick(tmp_path_factory):
 @pytest.fixture
 def study(finished_quick, tmp_path):
     """A copy of the finished quick study, to be changed."""
-    folder = tmp_path / "study"
-    shutil.copytree(finished_quick.folder, folder)  # keeps the times of the files
-    return Study(folder)
+    return finished_quick.copied_to(tmp_path / "study")

@@ -3,18 +3,30 @@
 from collections import Counter
 
 import pytest
+import yaml
+
+from wrinklestudy.config import parse_config
+from wrinklestudy.figures import FIGURES
 
 pytestmark = pytest.mark.workflow
 
-TABLE_FIGURES = {
-    "fig05a_amplitude",
-    "fig05b_wavelength",
-    "fig07a_width",
-    "fig07b_confinement",
-    "fig07c_slaving",
+# Figures that show tables of the sheet latex, and of its variant
+SHEET_FIGURES = {
+    "fig05_amplitude",
+    "fig05_wavelength",
+    "fig06_aspect",
+    "fig06_thickness",
+    "fig07_width",
+    "fig07_confinement",
+    "fig07_slaving",
+    "fig07_collapse",
 }
+VARIANT_FIGURES = {"fig05_amplitude", "fig05_wavelength"}
+STAGES = ("material", "mesh", "planar", "stability", "wrinkle", "metrics", "summary")
+STAGES += ("claims", "figures", "gate")
 STRAINS = "strain: [0.1, 0.2, 0.32]"
-THICKNESS = "thickness: [1.0e-3]"
+LATEX = "  - material: latex\n    aspect: [2.0]\n    thickness: [1.0e-3]\n"
+ASPECT, SHEET = "aspect2_resolves0.001", "aspect2_thickness0.001"
 
 
 def rules(jobs):
@@ -30,16 +42,28 @@ def test_the_second_run_has_nothing_to_do(finished_quick):
     assert finished_quick.planned() == []
 
 
+def outputs(jobs, stage):
+    return {output for job in jobs if job.rule == stage for output in job.outputs}
+
+
 def test_the_full_study_has_nothing_of_the_quick_one(finished_quick):
     jobs = finished_quick.planned(config=None)
+    raw = yaml.safe_load((finished_quick.folder / "config.yaml").read_text())
+    study = parse_config(raw, "config.yaml")
+    flat = {
+        (case.sheet.material, case.sheet.aspect, case.sheet.resolved, case.strain)
+        for case in study.cases
+    }
     assert rules(jobs) == {
-        "material": 3,
-        "mesh": 1,
-        "planar": 25,
-        "stability": 1,
-        "wrinkle": 25,
-        "metrics": 1,
-        "figures": 9,
+        "material": len(study.materials),
+        "mesh": len({(one.aspect, one.resolved) for one in study.all_sheets}),
+        "planar": len(flat),
+        "stability": len(study.all_sheets),
+        "wrinkle": len(study.cases),
+        "metrics": len(study.all_sheets),
+        "summary": 1,
+        "claims": 1,
+        "figures": len(FIGURES),
         "gate": 1,
     }
     assert not any("quick" in output for job in jobs for output in job.outputs)
@@ -48,22 +72,75 @@ def test_the_full_study_has_nothing_of_the_quick_one(finished_quick):
 def test_one_more_strain_runs_only_what_it_needs(study):
     study.edit("config/quick.yaml", STRAINS, "strain: [0.1, 0.2, 0.25, 0.32]")
     jobs = study.planned()
-    for stage in ("planar", "wrinkle"):
-        outputs = [job.outputs for job in jobs if job.rule == stage]
-        assert [files[0].split("/")[-1] for files in outputs] == ["strain0.25.h5"]
-    assert figures(jobs) == TABLE_FIGURES | {"fig04b_profiles"}
-    assert rules(jobs).keys() == {"planar", "stability", "wrinkle", "metrics", "figures", "gate"}
-    assert rules(jobs)["stability"] == 1
+    results = "results/quick"
+    assert outputs(jobs, "planar") == {f"{results}/planar/latex/{ASPECT}/strain0.25.h5"}
+    assert outputs(jobs, "wrinkle") == {f"{results}/wrinkle/latex/{SHEET}/strain0.25.h5"}
+    assert outputs(jobs, "stability") == {f"{results}/stability/latex/{SHEET}.json"}
+    assert outputs(jobs, "metrics") == {f"{results}/metrics/latex/{SHEET}.csv"}
+    assert figures(jobs) == SHEET_FIGURES | {"fig04_profiles"}
+    assert rules(jobs).keys() == set(STAGES) - {"material", "mesh"}
+
+
+def test_one_more_strain_of_a_variant_redraws_only_what_compares_it(study):
+    study.edit("config/quick.yaml", "[0.06, 0.12, 0.18]", "[0.06, 0.12, 0.15, 0.18]")
+    jobs = study.planned()
+    for stage in ("planar", "wrinkle", "stability", "metrics"):
+        assert all("/latex-fixed/" in output for output in outputs(jobs, stage))
+        assert rules(jobs)[stage] == 1
+    assert figures(jobs) == VARIANT_FIGURES
 
 
 def test_one_more_thickness_uses_the_flat_states_that_there_are(study):
-    study.edit("config/quick.yaml", THICKNESS, "thickness: [1.0e-3, 1.2e-3]")
+    more = LATEX.replace("1.0e-3", "1.0e-3, 1.2e-3")
+    study.edit("config/quick.yaml", LATEX, more)
     jobs = study.planned()
-    assert figures(jobs) == TABLE_FIGURES
-    new = [job.outputs[0] for job in jobs if job.rule in ("stability", "wrinkle")]
-    assert len(new) == 4
-    assert all("aspect2_thickness0.0012" in output for output in new)
-    assert rules(jobs).keys() == {"stability", "wrinkle", "metrics", "figures", "gate"}
+    assert figures(jobs) == {"fig06_thickness"}
+    new = [job.outputs[0] for job in jobs if job.rule in ("stability", "wrinkle", "metrics")]
+    assert len(new) == 5
+    assert all("latex/aspect2_thickness0.0012" in output for output in new)
+    assert rules(jobs).keys() == set(STAGES) - {"material", "mesh", "planar"}
+
+
+def test_one_more_aspect_leaves_the_other_sheets_alone(study):
+    study.edit("config/quick.yaml", LATEX, LATEX.replace("2.0", "2.0, 2.5"))
+    jobs = study.planned()
+    assert figures(jobs) == {"fig06_aspect", "fig07_collapse"}
+    for stage in ("mesh", "planar", "stability", "wrinkle", "metrics"):
+        assert all("aspect2.5_" in output for output in outputs(jobs, stage))
+
+
+@pytest.mark.parametrize(
+    ("figure", "sheets"),
+    [
+        ("fig01_stress", set()),
+        ("fig02_sheet", {"latex/aspect2_thickness0.001"}),
+        (
+            "fig05_amplitude",
+            {f"{name}/aspect2_thickness0.001" for name in ("latex", "latex-nh", "latex-svk")},
+        ),
+        ("fig07_width", {"latex/aspect2_thickness0.001"}),
+    ],
+)
+def test_one_figure_runs_only_what_it_shows(finished_quick, figure, sheets):
+    """Of the default study, from nothing: no other L/W, t/W or model, no table of the study."""
+    jobs = finished_quick.planned(f"figures/{figure}.pdf", config=None)
+    assert figures(jobs) == {figure}
+    solved = {"/".join(path.split("/")[2:4]) for path in outputs(jobs, "wrinkle")}
+    assert solved == sheets
+    for stage in ("stability", "metrics"):
+        found = {path.split("/", 2)[2].rpartition(".")[0] for path in outputs(jobs, stage)}
+        assert found <= sheets
+    assert all(f"/{ASPECT}/" in path for path in outputs(jobs, "planar"))
+    assert not rules(jobs).keys() & {"summary", "claims", "gate"}
+
+
+def test_new_measurements_redraw_the_figures_that_show_them(study):
+    folder = study.folder / "data" / "experiment"
+    folder.mkdir(exist_ok=True)
+    (folder / "wavelength.csv").write_text("aspect,thickness,strain,wavelength_over_width\n")
+    jobs = study.planned()
+    assert figures(jobs) == {"fig05_wavelength"}
+    assert rules(jobs).keys() == {"figures", "gate"}
 
 
 def test_a_finer_spelling_of_the_same_number_runs_nothing(study):
@@ -82,19 +159,26 @@ def test_a_finer_spelling_of_the_same_number_runs_nothing(study):
 )
 def test_a_setting_reruns_the_stages_that_take_it_and_none_before(study, old, new, first):
     study.edit("config.yaml", old, new)
-    order = ("material", "mesh", "planar", "stability", "wrinkle", "metrics", "figures", "gate")
     ran = rules(study.planned())
     assert first <= ran.keys()
-    start = min(order.index(stage) for stage in first)
-    assert not ran.keys() & set(order[:start])
+    start = min(STAGES.index(stage) for stage in first)
+    assert not ran.keys() & set(STAGES[:start])
+
+
+def test_another_bending_law_reruns_the_sheets_that_do_not_name_their_own(study):
+    study.edit("config.yaml", "bending: thinning #", "bending: fvk #")
+    jobs = study.planned()
+    for stage in ("planar", "stability", "wrinkle", "metrics"):
+        assert all("/latex/" in output for output in outputs(jobs, stage))
+        assert outputs(jobs, stage)
 
 
 def test_an_edit_of_the_plate_reruns_the_states_and_not_the_fit(study):
     path = study.folder / "src/wrinklestudy/plate.py"
     path.write_text(path.read_text() + "\n\ndef unused() -> int:\n    return 1\n")
     ran = rules(study.planned())
-    assert ran["planar"] == ran["wrinkle"] == 3
-    assert ran["stability"] == 1
+    assert ran["planar"] == ran["wrinkle"] == 6
+    assert ran["stability"] == 2
     assert "material" not in ran
     assert "mesh" not in ran
 
@@ -107,6 +191,12 @@ def test_an_edit_of_one_figure_redraws_that_figure(study):
     assert rules(jobs).keys() == {"figures", "gate"}
 
 
+def test_an_edit_of_the_claims_judges_again_and_draws_nothing(study):
+    path = study.folder / "src/wrinklestudy/claims/registry.py"
+    path.write_text(path.read_text() + "\n\nUNUSED = 1\n")
+    assert rules(study.planned()) == {"claims": 1, "gate": 1}
+
+
 @pytest.mark.parametrize("name", ["src/wrinklestudy/plate.py", "workflow/scripts/planar.py"])
 def test_an_edit_of_a_comment_reruns_nothing(study, name):
     path = study.folder / name
@@ -117,7 +207,8 @@ def test_an_edit_of_a_comment_reruns_nothing(study, name):
 def test_an_edit_of_a_script_reruns_its_stage(study):
     path = study.folder / "workflow/scripts/metrics.py"
     path.write_text(path.read_text() + "\nUNUSED = 1\n")
-    assert rules(study.planned()) == {"metrics": 1, "figures": 5, "gate": 1}
+    ran = {"metrics": 2, "summary": 1, "claims": 1, "figures": len(SHEET_FIGURES), "gate": 1}
+    assert rules(study.planned()) == ran
 
 
 def test_a_wrong_config_stops_with_its_line_before_any_job(study):

@@ -1,7 +1,13 @@
+import functools
+import hashlib
+import json
 import os
+import re
 import sys
+from dataclasses import astuple
 from pathlib import Path
 
+from wrinklestudy import config_figures
 from wrinklestudy.cases import (
     NAME_PATTERN,
     VALUE_PATTERN,
@@ -12,7 +18,6 @@ from wrinklestudy.cases import (
 )
 from wrinklestudy.config import ConfigError, parse_config
 from wrinklestudy.digest import code_digest
-from wrinklestudy.figures import state_strains
 
 # a file given with --configfile stands first: it goes over config.yaml
 CONFIG_FILES = " over ".join(os.path.relpath(file) for file in workflow.configfiles)
@@ -22,10 +27,9 @@ except ConfigError as error:
     sys.exit(str(error))
 
 PATHS = Paths(STUDY.folders.results, STUDY.folders.figures)
-CASES = STUDY.cases
-SHEETS = sorted({case.sheet for case in CASES})
 
 
+# {material} is a material or a variant of one, but in files of the stage material
 wildcard_constraints:
     material=NAME_PATTERN,
     figure=NAME_PATTERN,
@@ -35,6 +39,7 @@ wildcard_constraints:
     strain=VALUE_PATTERN,
 
 
+@functools.cache
 def code(stage, *modules):
     """Digest of the code of a stage, and of modules that its script does not name."""
     return code_digest(Path(workflow.basedir, "workflow", "scripts", f"{stage}.py"), modules)
@@ -45,6 +50,20 @@ def value(wildcard):
     return lambda wildcards: parse_value(wildcards[wildcard])
 
 
+def settings(stage):
+    """The settings of a stage for the model in the wildcard, as a function for params."""
+    return lambda wildcards: STUDY.settings(stage, wildcards.material)
+
+
+def material_setting(key):
+    """A setting of the material in the wildcard, as a function for params."""
+    return lambda wildcards: getattr(STUDY.materials[wildcards.material], key)
+
+
+def material_of_model(wildcards):
+    return PATHS.of("material", material=STUDY.base(wildcards.material))
+
+
 def sheet_of(wildcards):
     return Sheet(
         wildcards.material,
@@ -53,41 +72,86 @@ def sheet_of(wildcards):
     )
 
 
-def planar_of_case(wildcards):
-    return PATHS.planar(Case(sheet_of(wildcards), parse_value(wildcards.strain)))
-
-
-def planar_of_sheet(wildcards):
-    sheet = sheet_of(wildcards)
-    return [PATHS.planar(case) for case in CASES if case.sheet == sheet]
-
-
 def mesh_of_sheet(wildcards):
     sheet = sheet_of(wildcards)
     return PATHS.of("mesh", aspect=sheet.aspect, resolved=sheet.resolved)
 
 
-def material_setting(key):
-    """A setting of the material in the wildcard, as a function for params."""
-    return lambda wildcards: getattr(STUDY.materials[wildcards.material], key)
+def planar_of_case(wildcards):
+    return PATHS.planar(Case(sheet_of(wildcards), parse_value(wildcards.strain)))
+
+
+def planar_of_sheet(wildcards):
+    return [PATHS.planar(case) for case in STUDY.cases_of(sheet_of(wildcards))]
+
+
+def wrinkle_of_sheet(wildcards):
+    return [PATHS.wrinkle(case) for case in STUDY.cases_of(sheet_of(wildcards))]
 
 
 def inputs_of_figure(wildcards):
-    """Only what a figure shows: the materials, a few states of one sheet, or the tables."""
-    if wildcards.figure == "fig01_stress":
-        return {
-            "materials": [PATHS.of("material", material=name) for name in sorted(STUDY.materials)],
-            "data": sorted({material.data for material in STUDY.materials.values()}),
-        }
-    strains = [case.strain for case in CASES if case.sheet == STUDY.figure_sheet]
-    shown = state_strains(wildcards.figure, strains)
-    if shown:
-        return {"states": [PATHS.wrinkle(Case(STUDY.figure_sheet, strain)) for strain in shown]}
+    """Only what a figure shows: materials, tables of some sheets, states, measurements."""
+    figure = wildcards.figure
+    materials = config_figures.materials_shown(STUDY, figure)
+    sheets = config_figures.sheets_shown(STUDY, figure)
     return {
-        "metrics": PATHS.pattern("metrics"),
-        "stability": PATHS.pattern("metrics_stability"),
+        "materials": [PATHS.of("material", material=name) for name in materials],
+        "data": sorted({STUDY.materials[name].data for name in materials}),
+        "metrics": [PATHS.of_sheet("metrics", sheet) for sheet in sheets],
+        "stability": [PATHS.of_sheet("stability", sheet) for sheet in sheets],
+        "states": [PATHS.wrinkle(case) for case in config_figures.states_shown(STUDY, figure)],
+        "experiment": config_figures.measured(STUDY, figure),
     }
 
 
 def all_figures():
     return expand([PATHS.figure(".pdf"), PATHS.figure(".png")], figure=sorted(STUDY.figures.names))
+
+
+def all_sheets(output):
+    return [PATHS.of_sheet(output, sheet) for sheet in STUDY.all_sheets]
+
+
+def of_figure(content):
+    """A part of what the report says of the figure in the wildcard, as a function."""
+    return lambda wildcards: content(STUDY, wildcards.figure)
+
+
+def final_files():
+    """What a study is run for; everything else is made on the way."""
+    return [*all_figures(), PATHS.pattern("claims"), PATHS.pattern("gate")]
+
+
+def files_on_the_way():
+    sheets = STUDY.all_sheets
+    found = [PATHS.of("material", material=name) for name in STUDY.materials]
+    found += [PATHS.of("mesh", aspect=one.aspect, resolved=one.resolved) for one in sheets]
+    found += [path for case in STUDY.cases for path in (PATHS.planar(case), PATHS.wrinkle(case))]
+    found += [*all_sheets("stability"), *all_sheets("metrics")]
+    found += map(PATHS.pattern, ("summary", "summary_stability", "summary_peaks"))
+    return found
+
+
+def study_digest():
+    """Digest of all that the results follow from: config, code, measured data."""
+    stages = ("material", "mesh", "planar", "stability", "wrinkle", "metrics", "summary", "claims")
+    codes = [code(stage) for stage in (*stages, "gate")]
+    codes += [code("figures", f"wrinklestudy.figures.{name}") for name in STUDY.figures.names]
+    files = {material.data for material in STUDY.materials.values()}
+    files |= {path for name in STUDY.figures.names for path in config_figures.measured(STUDY, name)}
+    digest = hashlib.sha256("\0".join([STUDY.model_dump_json(), *codes]).encode())
+    for path in sorted(path for path in files if Path(path).exists()):
+        digest.update(path.encode() + b"\0" + Path(path).read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def targets(_wildcards):
+    """The final files; only what was lost on the way, if there is nothing else to do.
+
+    Snakemake would leave a lost file alone as long as nothing needs it, and once it makes it again,
+    run everything that comes after it.
+    """
+    lost = [path for path in files_on_the_way() if not Path(path).exists()]
+    gate = Path(PATHS.pattern("gate"))
+    finished = gate.exists() and json.loads(gate.read_text()).get("study") == study_digest()
+    return lost if lost and finished else final_files()

@@ -1,16 +1,24 @@
-# Figures are drawn from the tables, from a few states, or (the first) from the materials.
+# Figures are drawn from the tables of the sheets that they show, from states, or from materials.
 rule figures:
     input:
         unpack(inputs_of_figure),
     output:
         PATHS.figure(".pdf"),
-        PATHS.figure(".png"),
+        report(
+            PATHS.figure(".png"),
+            caption="../report/figures.rst",
+            category=lambda wildcards: config_figures.CONTENTS[wildcards.figure].part,
+            labels=lambda wildcards: config_figures.labels(wildcards.figure),
+        ),
     log:
         PATHS.log("figures"),
     threads: 1
     resources:
         mem_mb=1000,
     params:
+        # for the caption
+        cases=of_figure(config_figures.cases_text),
+        mesh=of_figure(config_figures.mesh_text),
         code=lambda wildcards: code("figures", f"wrinklestudy.figures.{wildcards.figure}"),
     script:
         "../scripts/figures.py"

@@ -2,7 +2,8 @@
 rule gate:
     input:
         all_figures(),
-        metrics=PATHS.pattern("metrics"),
+        PATHS.pattern("claims"),
+        states=PATHS.pattern("summary"),
     output:
         PATHS.pattern("gate"),
     log:
@@ -11,6 +12,7 @@ rule gate:
     resources:
         mem_mb=200,
     params:
+        study=study_digest(),
         allow_not_converged=STUDY.gate.allow_not_converged,
         code=code("gate"),
     script:

@@ -5,6 +5,8 @@ rule material:
         PATHS.pattern("material"),
     log:
         PATHS.log("material"),
+    wildcard_constraints:
+        material="|".join(map(re.escape, STUDY.materials)),
     threads: 1
     resources:
         mem_mb=500,

@@ -1,10 +1,8 @@
 rule metrics:
     input:
-        wrinkle=[PATHS.wrinkle(case) for case in CASES],
-        stability=[PATHS.stability(sheet) for sheet in SHEETS],
+        wrinkle_of_sheet,
     output:
-        metrics=PATHS.pattern("metrics"),
-        stability=PATHS.pattern("metrics_stability"),
+        PATHS.pattern("metrics"),
     log:
         PATHS.log("metrics"),
     threads: 1

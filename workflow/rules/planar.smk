@@ -1,7 +1,7 @@
 rule planar:
     input:
         mesh=PATHS.pattern("mesh"),
-        material=PATHS.pattern("material"),
+        material=material_of_model,
     output:
         PATHS.pattern("planar"),
     log:
@@ -13,7 +13,7 @@ rule planar:
         mem_mb=1500,
     params:
         strain=value("strain"),
-        settings=STUDY.settings("planar"),
+        settings=settings("planar"),
         code=code("planar"),
     script:
         "../scripts/planar.py"

@@ -2,7 +2,7 @@ rule stability:
     input:
         planar=planar_of_sheet,
         mesh=mesh_of_sheet,
-        material=PATHS.pattern("material"),
+        material=material_of_model,
     output:
         PATHS.pattern("stability"),
     log:
@@ -14,7 +14,7 @@ rule stability:
         mem_mb=1500,
     params:
         thickness=value("thickness"),
-        settings=STUDY.settings("stability"),
+        settings=settings("stability"),
         code=code("stability"),
     script:
         "../scripts/stability.py"

@@ -12,10 +12,11 @@ with log_to(snakemake.log[0]):
 
     figures.run(
         name=snakemake.wildcards.figure,
-        metrics=snakemake.input.get("metrics", ""),
-        stability=snakemake.input.get("stability", ""),
-        materials=snakemake.input.get("materials", []),
-        states=snakemake.input.get("states", []),
-        data=snakemake.input.get("data", []),
+        metrics=list(snakemake.input.metrics),
+        stability=list(snakemake.input.stability),
+        materials=list(snakemake.input.materials),
+        states=list(snakemake.input.states),
+        data=list(snakemake.input.data),
+        experiment=list(snakemake.input.experiment),
         output=list(snakemake.output),
     )

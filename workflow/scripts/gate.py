@@ -11,7 +11,8 @@ with log_to(snakemake.log[0]):
     from wrinklestudy import gate
 
     gate.run(
-        metrics=snakemake.input.metrics,
+        states=snakemake.input.states,
         allow_not_converged=snakemake.params.allow_not_converged,
+        study=snakemake.params.study,
         output=snakemake.output[0],
     )

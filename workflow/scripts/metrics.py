@@ -1,4 +1,4 @@
-"""Tables of all cases and of all sheets."""
+"""Table of the states of one sheet."""
 
 from typing import TYPE_CHECKING
 
@@ -10,9 +10,4 @@ if TYPE_CHECKING:
 with log_to(snakemake.log[0]):
     from wrinklestudy import metrics
 
-    metrics.run(
-        wrinkle=list(snakemake.input.wrinkle),
-        stability=list(snakemake.input.stability),
-        output=snakemake.output.metrics,
-        stability_output=snakemake.output.stability,
-    )
+    metrics.run(wrinkle=list(snakemake.input), output=snakemake.output[0])

@@ -1,4 +1,4 @@
-"""Flat state of one material, L/W and strain, with its critical thicknesses."""
+"""Flat state of one model, L/W and strain, with its critical thicknesses."""
 
 from typing import TYPE_CHECKING
 
@@ -16,4 +16,5 @@ with log_to(snakemake.log[0]):
         strain=snakemake.params.strain,
         settings=snakemake.params.settings,
         output=snakemake.output[0],
+        name=snakemake.wildcards.material,
     )

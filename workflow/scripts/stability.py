@@ -17,4 +17,5 @@ with log_to(snakemake.log[0]):
         thickness=snakemake.params.thickness,
         settings=snakemake.params.settings,
         output=snakemake.output[0],
+        name=snakemake.wildcards.material,
     )

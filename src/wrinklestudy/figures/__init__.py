@@ -1,13 +1,13 @@
 """Figures stage: one module per figure of the paper, one shared style.
 
-A module has one function ``draw(inputs)`` that returns a matplotlib figure of whatever series the
-tables and states hold. No point is drawn that was not computed or measured; a state that
-did not converge is a gap. Importing this package loads no plotting library.
+A module has one function ``draw(inputs)`` that returns a matplotlib figure of whatever sheets and
+states it is given. No point is drawn that was not computed or measured; a state that did
+not converge is a gap. Importing this package loads no plotting library.
 """
 
 from collections.abc import Sequence
 from importlib import import_module
-from os import PathLike, fspath
+from os import PathLike
 from pathlib import Path
 
 # Name of each figure, numbered as in the paper, and the strains of the states that it shows: a
@@ -15,19 +15,34 @@ from pathlib import Path
 FIGURES: dict[str, tuple[float, ...] | str] = {
     "fig01_stress": (),
     "fig02_sheet": (0.0, 0.1, 0.2, 0.32, 0.46),
-    "fig03c_surface": (0.06, 0.12),
-    "fig04b_profiles": "all",
-    "fig05a_amplitude": (),
-    "fig05b_wavelength": (),
-    "fig07a_width": (),
-    "fig07b_confinement": (),
-    "fig07c_slaving": (),
+    "fig03_surface": (0.06, 0.12),
+    "fig04_profiles": "all",
+    "fig05_amplitude": (),
+    "fig05_wavelength": (),
+    "fig06_aspect": (),
+    "fig06_thickness": (),
+    "fig07_width": (),
+    "fig07_confinement": (),
+    "fig07_slaving": (),
+    "fig07_collapse": (),
 }
 
-# The sheet of the paper's single-sheet figures: L/W and t/W.
-PAPER_SHEET = (2.0, 1e-3)
+# Measured data that a figure lays over what is computed: kinds of `wrinklestudy.experiment`.
+MEASURED: dict[str, tuple[str, ...]] = {
+    "fig01_stress": ("stress",),
+    "fig04_profiles": ("profiles",),
+    "fig05_amplitude": ("amplitude", "profiles"),
+    "fig05_wavelength": ("wavelength", "profiles"),
+    "fig06_aspect": ("amplitude", "profiles"),
+    "fig06_thickness": ("amplitude", "profiles"),
+    "fig07_confinement": ("profiles",),
+    "fig07_slaving": ("profiles",),
+    "fig07_collapse": ("profiles",),
+}
 
 SUFFIXES = (".pdf", ".png", ".svg")
+
+AnyPath = str | PathLike[str]
 
 
 def state_strains(name: str, available: Sequence[float]) -> list[float]:
@@ -64,63 +79,70 @@ def state_strains(name: str, available: Sequence[float]) -> list[float]:
 
 def run(
     name: str,
-    metrics: str | PathLike[str],
-    stability: str | PathLike[str],
-    materials: Sequence[str | PathLike[str]],
-    states: Sequence[str | PathLike[str]],
-    output: str | PathLike[str] | Sequence[str | PathLike[str]],
-    data: Sequence[str | PathLike[str]] = (),
-    sheet: tuple[float, float] = PAPER_SHEET,
+    *,
+    output: AnyPath | Sequence[AnyPath],
+    metrics: Sequence[AnyPath] = (),
+    stability: Sequence[AnyPath] = (),
+    materials: Sequence[AnyPath] = (),
+    states: Sequence[AnyPath] = (),
+    data: Sequence[AnyPath] = (),
+    experiment: Sequence[AnyPath] = (),
 ) -> None:
     """Draw one figure and write it in each of the formats asked for.
 
-    The same inputs give the same bytes: no dates are written.
+    The same inputs give the same bytes: no dates are written. A figure leaves alone what it
+    does not show.
 
     Parameters
     ----------
     name : str
         One of `FIGURES`.
-    metrics, stability : path-like
-        Tables of the metrics stage.
+    output : path-like or sequence of path-like
+        Files to write; the suffix (.pdf, .png, .svg) is the format.
+    metrics : sequence of path-like
+        Tables of the metrics stage, of the sheets that the figure shows and in their order.
+    stability : sequence of path-like
+        Files of the stability stage of these sheets, for birth and decay.
     materials : sequence of path-like
         Files of the material stage.
     states : sequence of path-like
         Files of the wrinkle stage, those of `state_strains`.
-    output : path-like or sequence of path-like
-        Files to write; the suffix (.pdf, .png, .svg) is the format.
     data : sequence of path-like
         Stress-strain files that the materials were fitted to.
-    sheet : tuple of float
-        L/W and t/W of the rows that a figure of a single sheet takes from the tables; if the
-        tables have no such sheet it shows all that they have.
+    experiment : sequence of path-like
+        Files of measured data (`wrinklestudy.experiment`); those of `MEASURED` are shown.
 
     Raises
     ------
     ValueError
         If the figure or a format is unknown, or an input lacks what the figure shows.
     """
-    paths = [output] if isinstance(output, str | PathLike) else list(output)
     _known(name)
+    paths = _paths(output)
     for path in paths:
-        if Path(path).suffix not in SUFFIXES:
+        if path.suffix not in SUFFIXES:
             allowed = ", ".join(SUFFIXES)
-            raise ValueError(f"{fspath(path)}: a figure must end in one of {allowed}")
+            raise ValueError(f"{path}: a figure must end in one of {allowed}")
 
     from wrinklestudy.figures import style
     from wrinklestudy.figures.inputs import Inputs
 
     inputs = Inputs(
-        metrics=Path(metrics),
-        stability=Path(stability),
-        materials=tuple(Path(path) for path in materials),
-        states=tuple(Path(path) for path in states),
-        data=tuple(Path(path) for path in data),
-        sheet=sheet,
+        metrics=_paths(metrics),
+        stability=_paths(stability),
+        materials=_paths(materials),
+        states=_paths(states),
+        data=_paths(data),
+        experiment=_paths(experiment),
     )
     with style.applied():
         figure = import_module(f"wrinklestudy.figures.{name}").draw(inputs)
         for path in paths:
             style.save(figure, path)
+
+
+def _paths(paths: AnyPath | Sequence[AnyPath]) -> tuple[Path, ...]:
+    return tuple(Path(path) for path in ([paths] if isinstance(paths, str | PathLike) else paths))
 
 
 def _known(name: str) -> str:

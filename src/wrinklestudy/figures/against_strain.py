@@ -3,15 +3,24 @@
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
-from wrinklestudy.figures import style
-from wrinklestudy.figures.inputs import Series, sheet_note
+from wrinklestudy.experiment import Points, Sheet
+from wrinklestudy.figures import measured, style
+from wrinklestudy.figures.series import Series, note
 from wrinklestudy.figures.style import GREY, Look, looks
+
+# An axis begins this part of its highest value below zero: room for the marks of holes.
+BELOW = 0.09
+# Labels of marks that several series may have.
+SHARED = ("flat", "not converged", "birth, decay")
 
 
 def styled(series: list[Series]) -> list[tuple[Series, Look]]:
-    """Return the series, each with its look."""
-    return list(zip(series, looks([one.law for one in series]), strict=True))
+    """Return the series, each with its look: by L/W or t/W if these vary, by law otherwise."""
+    sheets = {one.sheet for one in series}
+    found = style.ordered(len(series)) if len(sheets) > 1 else looks([one.law for one in series])
+    return list(zip(series, found, strict=True))
 
 
 def points(axes: Axes, one: Series, look: Look, column: str, factor: float = 1.0) -> None:
@@ -30,12 +39,17 @@ def points(axes: Axes, one: Series, look: Look, column: str, factor: float = 1.0
                 mew=0.6,
                 label=label,
             )
+    holes(axes, one, look.color)
+
+
+def holes(axes: Axes, one: Series, color: str) -> None:
+    """Draw a cross just above the strain axis for every state that did not converge."""
     if one.holes.any():
         axes.plot(
-            strain[one.holes],
+            one.column("strain")[one.holes],
             np.full(int(one.holes.sum()), 0.025),
             "x",
-            color=GREY,
+            color=color,
             ms=3.0,
             mew=0.7,
             transform=axes.get_xaxis_transform(),
@@ -43,20 +57,30 @@ def points(axes: Axes, one: Series, look: Look, column: str, factor: float = 1.0
         )
 
 
+def overlay(axes: Axes, series: list[Series], found: dict[Sheet, Points]) -> float:
+    """Draw what was measured on the sheets of the figure; return the largest value, 0 if none."""
+    own = [found[sheet] for sheet in sorted({one.sheet for one in series}) if sheet in found]
+    return max((measured.band(axes, one) for one in own), default=0.0)
+
+
 def finish(figure: Figure, axes: Axes, series: list[Series]) -> float:
-    """Set the strain axis and the legend above it; return the largest strain."""
-    end = largest_strain(series)
+    """Set the strain axis and the legend above it; return the largest strain, measured or not."""
+    end = max(largest_strain(series), float(axes.dataLim.x1))
     axes.set_xlabel(r"strain $\varepsilon$")
     axes.set_xlim(0.0, 1.02 * end)
     legend(figure, axes, series)
     return end
 
 
-def legend(figure: Figure, axes: Axes, series: list[Series]) -> None:
-    """Put a legend above the axes, which names the sheet if there is but one."""
-    sheets = sorted({(one.aspect, one.thickness) for one in series})
-    title = sheet_note(*sheets[0]) if len(sheets) == 1 else ""
-    style.grow(figure, style.legend_above(axes, [one.label for one in series], title))
+def legend(figure: Figure, axes: Axes, series: list[Series], columns: int = 2) -> None:
+    """Put a legend above the axes, which names what the series have in common."""
+    labels = [one.label for one in series]
+    style.grow(figure, style.legend_above(axes, labels, note(series), columns=columns))
+    if len(series) > 1:  # marks that several series share have no colour
+        (shown,) = figure.legends
+        for handle, text in zip(shown.legend_handles, shown.get_texts(), strict=True):
+            if isinstance(handle, Line2D) and text.get_text() in SHARED:
+                handle.set_color(GREY)
 
 
 def largest_strain(series: list[Series]) -> float:

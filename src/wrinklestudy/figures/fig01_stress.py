@@ -4,16 +4,19 @@ The paper's panel shows T/Y of latex with the fitted Mooney-Rivlin curve, Saint 
 and an incompressible Hookean sheet. It states Y = 1 MPa, while the initial slope of its own
 constants is 6 (C10 + C01) = 1.32 MPa: the stated modulus is used and both stand in the panel.
 Any other material (Treloar's rubber) has a panel of its own in MPa, with every fit made to it.
+The user's own measured stress is drawn in the first panel.
 """
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from wrinklestudy import theory
-from wrinklestudy.figures import style
+from wrinklestudy.experiment import Points
+from wrinklestudy.figures import measured, style
 from wrinklestudy.figures.inputs import Inputs
 from wrinklestudy.material.data import Measurement, read
 from wrinklestudy.material.homogeneous import MODES, nominal_stress
@@ -26,7 +29,6 @@ _PASCAL_PER_MPA = 1.0e6
 _MODE_MARKERS = dict(zip(MODES, ("o", "s", "^"), strict=True))
 _MODE_NAMES = dict(zip(MODES, ("uniaxial", "equibiaxial", "pure shear"), strict=True))
 _FIT_LOOKS = ((style.BLUE, "-"), (style.VERMILLION, "--"), (style.GREEN, "-."), (style.PURPLE, ":"))
-_SHORT = {"mooney-rivlin": "MR", "neo-hookean": "NH", "svk": "SVK"}
 _SYMBOLS = {"c10": "C_{10}", "c01": "C_{01}", "young": "Y"}
 # A fit is drawn this far beyond its window, to show where it leaves the data.
 _BEYOND = 1.35
@@ -35,7 +37,7 @@ _BEYOND = 1.35
 def draw(inputs: Inputs) -> Figure:
     """Draw T/Y of the paper's material and T of the others against strain."""
     fits = inputs.fits()
-    measured = {path.name: path for path in inputs.data}
+    files = {path.name: path for path in inputs.data}
     sources = sorted({fit.source for fit in fits}, key=lambda name: (name != PAPER_SOURCE, name))
     if not sources:
         raise ValueError("materials: none given, this figure shows material fits")
@@ -44,11 +46,13 @@ def draw(inputs: Inputs) -> Figure:
     legends = []
     for k, (axes, source) in enumerate(zip(panels, sources, strict=True)):
         own = [fit for fit in fits if fit.source == source]
-        data = _data(measured, source)
+        data = _data(files, source)
         if source == PAPER_SOURCE:
             _paper_panel(axes, own, data)
         else:
             _panel_in_mpa(axes, own, data)
+        if k == 0:
+            _measured_by_user(axes, inputs.measured_stress(), source == PAPER_SOURCE)
         legends.append(style.legend_above(axes, whole_width=False))
         if len(sources) > 1:
             letter = "abcdefgh"[k]
@@ -57,8 +61,18 @@ def draw(inputs: Inputs) -> Figure:
     return figure
 
 
-def _data(measured: dict[str, Path], source: str) -> Measurement | None:
-    return read(measured[source]) if source in measured else None
+def _data(files: dict[str, Path], source: str) -> Measurement | None:
+    return read(files[source]) if source in files else None
+
+
+def _measured_by_user(axes: Axes, points: Points | None, over_young: bool) -> None:
+    if points is None:
+        return
+    unit = theory.STATED_YOUNG_MODULUS if over_young else _PASCAL_PER_MPA
+    measured.bars(axes, points.strain, points.value / unit, points.error / unit)
+    axes.set_xlim(right=max(axes.get_xlim()[1], 1.02 * float(points.strain.max())))
+    highest = float(np.nanmax([points.value, points.value + points.error])) / unit
+    axes.set_ylim(top=max(axes.get_ylim()[1], 1.05 * highest))
 
 
 def _paper_panel(axes: Axes, fits: list[Fit], data: Measurement | None) -> None:
@@ -76,26 +90,30 @@ def _paper_panel(axes: Axes, fits: list[Fit], data: Measurement | None) -> None:
             mew=0.6,
             label="latex, rebuilt from the published constants",
         )
-    for fit in fits:
-        look = style.looks([fit.law])[0]
+    for fit, look in zip(fits, style.looks([fit.law for fit in fits]), strict=True):
         stress = nominal_stress(fit.material(), 1.0 + strain, "uniaxial")
-        name = f"{style.LAW_NAMES[fit.law]}, fit"
+        name = _short_label(fit, end)
         axes.plot(strain, stress / young, look.line, color=look.color, label=name)
-    axes.plot(strain, theory.uniaxial_svk(strain), "-.", color=style.GREEN, label="SVK")
-    axes.plot(
-        strain,
-        theory.uniaxial_hookean(strain),
-        ":",
-        color=style.ORANGE,
-        label="Hookean, incompressible",
-    )
+    for stress, line, color, name in (
+        (theory.uniaxial_svk(strain), (0, (5, 1, 1, 1, 1, 1)), style.GREY, "SVK"),
+        (theory.uniaxial_hookean(strain), ":", style.ORANGE, "Hookean, incompressible"),
+    ):
+        axes.plot(strain, stress, linestyle=line, color=color, label=f"{name}, $Y$ as stated")
     axes.set_xlabel(r"strain $\varepsilon$")
     axes.set_ylabel("$T/Y$")
     axes.set_xlim(0.0, end)
     axes.set_ylim(bottom=0.0)
-    axes.text(
-        0.97, 0.03, _moduli(fits), transform=axes.transAxes, ha="right", va="bottom", fontsize=7
-    )
+    place: dict[str, Any] = {"transform": axes.transAxes, "ha": "left", "va": "top"}
+    axes.text(0.03, 0.87, _moduli(fits), fontsize=7, **place)
+
+
+def _short_label(fit: Fit, end: float) -> str:
+    """Return the law of a fit and what it is fitted to, if that is not the whole curve."""
+    window = fit.stretch_range[1] - 1.0
+    if fit.law == "svk":
+        return f"{style.LAW_NAMES[fit.law]}, initial slope"
+    within = f" for $\\varepsilon \\leq {window:.3g}$" if window < end else ""
+    return f"{style.LAW_NAMES[fit.law]}, fit{within}"
 
 
 def _moduli(fits: list[Fit]) -> str:
@@ -155,7 +173,7 @@ def _fit_label(fit: Fit) -> str:
         f"${_SYMBOLS[name]} = {value / _PASCAL_PER_MPA:.3f}$"
         for name, value in fit.constants.items()
     )
-    law = _SHORT[fit.law]
+    law = style.SHORT_NAMES[fit.law]
     return (
         f"{law}, {which}, $\\varepsilon \\leq {fit.stretch_range[1] - 1.0:.3g}$:\n{constants} MPa"
     )

@@ -12,7 +12,7 @@ from matplotlib.patches import Rectangle
 from numpy.typing import NDArray
 
 from wrinklestudy.figures import style
-from wrinklestudy.figures.inputs import Inputs, State, sheet_note
+from wrinklestudy.figures.inputs import Inputs, State
 
 Array = NDArray[np.float64]
 
@@ -48,7 +48,7 @@ def draw(inputs: Inputs) -> Figure:
     for k, state in enumerate(states, 1):
         _sheet(axes, state, _GAP * k)
     _scale_bar(axes, longest)
-    note = f"{sheet_note(aspect, states[0].thickness)}, light from the left"
+    note = f"{states[0].note}, light from the left"
     axes.text(-0.5, 0.5 * longest + 0.2, note, ha="left", va="bottom")
     axes.set_xlim(-0.62, width - _GAP + 0.62)
     axes.set_ylim(-0.5 * longest - 0.36, 0.5 * longest + 0.36)

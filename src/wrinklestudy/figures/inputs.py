@@ -1,88 +1,28 @@
 """What the figures are drawn from: tables, states and materials, read when they are needed."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from os import fspath
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from wrinklestudy.figures import PAPER_SHEET
+from wrinklestudy import experiment
+from wrinklestudy.experiment import Points, Scan, Sheet
+from wrinklestudy.figures.series import Series, number, read_series
 from wrinklestudy.figures.style import LAW_NAMES
 from wrinklestudy.material.result import Fit, load_fit
 from wrinklestudy.metrics.profile import Profile, profile_from_state
 from wrinklestudy.metrics.sheet import Surface, full_surface
-from wrinklestudy.metrics.table import CASE, COLUMNS, STABILITY_COLUMNS
 from wrinklestudy.store import read_h5
-
-if TYPE_CHECKING:
-    import pandas as pd  # loaded where a table is read: half of the figures need none
 
 Array = NDArray[np.float64]
 
-_SYMBOLS = {"aspect": "L/W", "thickness": "t/W"}
 
-
-@dataclass(frozen=True)
-class Series:
-    """The states of one sheet over strain.
-
-    Parameters
-    ----------
-    label : str
-        What tells this series from the others of the figure.
-    law : str
-        Strain energy.
-    aspect, thickness : float
-        L/W and t/W.
-    rows : DataFrame
-        Rows of the metrics table, by strain.
-    birth, decay : float
-        Strains at which wrinkles appear and vanish; NaN where there is none.
-    """
-
-    label: str
-    law: str
-    aspect: float
-    thickness: float
-    rows: "pd.DataFrame"
-    birth: float
-    decay: float
-
-    def column(self, name: str) -> Array:
-        """Return a column of the table; NaN where there is no such number."""
-        return self.rows[name].to_numpy(dtype=float)
-
-    @property
-    def wrinkled(self) -> NDArray[np.bool_]:
-        """Which rows are wrinkled states."""
-        return np.asarray(self.rows["status"] == "wrinkled")
-
-    @property
-    def flat(self) -> NDArray[np.bool_]:
-        """Which rows are flat states."""
-        return np.asarray(self.rows["status"] == "flat")
-
-    @property
-    def holes(self) -> NDArray[np.bool_]:
-        """Which rows did not converge."""
-        return np.asarray(self.rows["status"] == "not-converged")
-
-    def curve(self, name: str) -> tuple[Array, Array]:
-        """Return strain and a column that vanishes where wrinkles appear and vanish.
-
-        Birth and decay strain come from the eigenvalue problem of the flat sheet and are put
-        in between the states with the value 0. NaN (a state that did not converge) is a gap.
-        """
-        ends = np.array([strain for strain in (self.birth, self.decay) if np.isfinite(strain)])
-        strain = np.concatenate([self.column("strain"), ends])
-        value = np.concatenate([self.column(name), np.zeros(len(ends))])
-        order = np.argsort(strain, kind="stable")
-        return strain[order], value[order]
-
-
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class State:
     """One wrinkle file.
 
@@ -90,6 +30,8 @@ class State:
     ----------
     strain, aspect, thickness : float
         eps, L/W, t/W.
+    law : str
+        Strain energy.
     status : str
         wrinkled, flat or not-converged.
     parity : str
@@ -101,9 +43,16 @@ class State:
     strain: float
     aspect: float
     thickness: float
+    law: str
     status: str
     parity: str
     datasets: dict[str, Any] = field(repr=False)
+
+    @property
+    def note(self) -> str:
+        """The sheet as a line of text for a figure."""
+        sheet = f"$L/W = {self.aspect:g}$, $t/W = {number(self.thickness)}$"
+        return f"{LAW_NAMES.get(self.law, self.law)}, {sheet}"
 
     def profile(self, per_cell: int = 8) -> Profile:
         """Return the cross-section half-way between the clamps, in units of W."""
@@ -123,48 +72,25 @@ class Inputs:
 
     Parameters
     ----------
-    metrics, stability : Path
-        Tables of the metrics stage.
+    metrics, stability : tuple of Path
+        Tables of the metrics stage and files of the stability stage, those of the sheets to show.
     materials, states, data : tuple of Path
-        Material files, wrinkle files, measured stress-strain files.
-    sheet : tuple of float
-        L/W and t/W of the single-sheet figures.
+        Material files, wrinkle files, stress-strain files that the materials were fitted to.
+    experiment : tuple of Path
+        Files of measured data.
     """
 
-    metrics: Path
-    stability: Path
+    metrics: tuple[Path, ...] = ()
+    stability: tuple[Path, ...] = ()
     materials: tuple[Path, ...] = ()
     states: tuple[Path, ...] = ()
     data: tuple[Path, ...] = ()
-    sheet: tuple[float, float] = PAPER_SHEET
+    experiment: tuple[Path, ...] = ()
 
-    def sheet_series(self) -> list[Series]:
-        """Return the series of `sheet`; of all sheets if the study lacks that one."""
-        table = _read_table(self.metrics, COLUMNS)
-        wanted = (table["aspect"] == self.sheet[0]) & (table["thickness"] == self.sheet[1])
-        return self._series(table[wanted] if wanted.any() else table)
-
-    def _series(self, table: "pd.DataFrame") -> list[Series]:
-        if table.empty:
-            raise ValueError(f"{self.metrics}: has no rows, nothing to draw")
-        limits = _read_table(self.stability, STABILITY_COLUMNS).set_index(list(CASE))
-        varied = [name for name in CASE if table[name].nunique() > 1]
-        found = []
-        for case, rows in table.groupby(list(CASE), sort=True):
-            one: dict[str, Any] = dict(zip(CASE, case, strict=True))
-            birth, decay = _birth_and_decay(limits, case)
-            found.append(
-                Series(
-                    label=_label(one, varied),
-                    law=one["law"],
-                    aspect=one["aspect"],
-                    thickness=one["thickness"],
-                    rows=rows.sort_values("strain"),
-                    birth=birth,
-                    decay=decay,
-                )
-            )
-        return found
+    @cached_property
+    def series(self) -> list[Series]:
+        """The sheets of the tables, in their order."""
+        return read_series(self.metrics, self.stability)
 
     def loaded_states(self) -> list[State]:
         """Return the states by strain.
@@ -177,39 +103,56 @@ class Inputs:
         states = sorted((_load_state(path) for path in self.states), key=lambda one: one.strain)
         if not states:
             raise ValueError("states: none given, this figure shows states")
-        if len({(one.aspect, one.thickness, one.parity) for one in states}) > 1:
-            raise ValueError("states: must be of one sheet (L/W, t/W, parity)")
+        if len({(one.aspect, one.thickness, one.law, one.parity) for one in states}) > 1:
+            raise ValueError("states: must be of one sheet (L/W, t/W, law, parity)")
         return states
 
     def fits(self) -> list[Fit]:
         """Return the fits of the materials, in the order of the files."""
         return [load_fit(path) for path in self.materials]
 
+    def measured_stress(self) -> Points | None:
+        """Return the measured stress (Pa) against strain, if there is a file."""
+        paths = self._measured("stress")
+        return experiment.read_stress(paths[0]) if paths else None
 
-def _read_table(path: Path, columns: dict[str, str]) -> "pd.DataFrame":
-    import pandas as pd
+    @cached_property
+    def scans(self) -> list[Scan]:
+        """The scanned profiles by sheet and strain."""
+        found = [experiment.read_scan(path) for path in self._measured("profiles")]
+        return sorted(found, key=lambda one: (one.sheet, one.strain))
 
-    table = pd.read_csv(path)
-    missing = [name for name in columns if name not in table.columns]
-    if missing:
-        raise ValueError(f"{path}: column {missing[0]!r} is missing")
-    return table
+    def scans_of(self, sheets: Sequence[Sheet]) -> list[Scan]:
+        """Return the scanned profiles of some sheets (L/W, t/W)."""
+        return [one for one in self.scans if one.sheet in sheets]
+
+    def measured_amplitude(self) -> dict[Sheet, Points]:
+        """Return measured A/t against strain by sheet: of the table and of the scans."""
+        found = self._measured_table("amplitude")
+        for one in self.scans:
+            amplitude, error = one.measures.amplitude, one.error
+            _add(found, one, amplitude / one.sheet[1], error / one.sheet[1])
+        return found
+
+    def measured_wavelength(self) -> dict[Sheet, Points]:
+        """Return measured lambda/W against strain by sheet: of the table and of the scans."""
+        found = self._measured_table("wavelength")
+        for one in self.scans:
+            if one.wrinkled:
+                _add(found, one, one.measures.wavelength, float("nan"))
+        return found
+
+    def _measured(self, kind: str) -> list[Path]:
+        return sorted(path for path in self.experiment if experiment.kind(path) == kind)
+
+    def _measured_table(self, kind: str) -> dict[Sheet, Points]:
+        paths = self._measured(kind)
+        return experiment.read_sheets(paths[0]) if paths else {}
 
 
-def _birth_and_decay(limits: "pd.DataFrame", case: Any) -> tuple[float, float]:
-    if case not in limits.index:
-        return float("nan"), float("nan")
-    row = limits.loc[case]
-    return float(row["birth_strain"]), float(row["decay_strain"])
-
-
-def _label(case: dict[str, Any], varied: list[str]) -> str:
-    parts = [] if "law" not in varied and varied else [LAW_NAMES.get(case["law"], case["law"])]
-    parts += [f"${_SYMBOLS[name]} = {case[name]:g}$" for name in _SYMBOLS if name in varied]
-    parts += [str(case[name]) for name in ("bending", "parity") if name in varied]
-    if "material" in varied and "law" not in varied:
-        parts.insert(0, str(case["material"]))
-    return ", ".join(parts)
+def _add(found: dict[Sheet, Points], scan: Scan, value: float, error: float) -> None:
+    one = Points(np.array([scan.strain]), np.array([value]), np.array([error]))
+    found[scan.sheet] = found[scan.sheet].joined(one) if scan.sheet in found else one
 
 
 def _load_state(path: Path) -> State:
@@ -219,22 +162,10 @@ def _load_state(path: Path) -> State:
             strain=attrs["strain"],
             aspect=attrs["aspect"],
             thickness=attrs["thickness"],
+            law=attrs["law"],
             status=attrs["status"],
             parity=attrs["parity"],
             datasets=datasets,
         )
     except KeyError as error:
         raise ValueError(f"{fspath(path)}: attribute {error} is missing") from None
-
-
-def sheet_note(aspect: float, thickness: float) -> str:
-    """Return the sheet as a line of text for a figure."""
-    return f"$L/W = {aspect:g}$, $t/W = {power_of_ten(thickness)}$"
-
-
-def power_of_ten(value: float) -> str:
-    """Return a number as a power of ten in mathtext, without dollar signs."""
-    digits, exponent = f"{value:.6e}".split("e")
-    factor = f"{float(digits):g}"
-    power = f"10^{{{int(exponent)}}}"
-    return power if factor == "1" else rf"{factor} \times {power}"

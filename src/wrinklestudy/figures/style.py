@@ -9,6 +9,7 @@ from typing import Any
 
 import matplotlib as mpl
 from matplotlib.axes import Axes
+from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 
 from wrinklestudy.store import atomic_path
@@ -80,11 +81,16 @@ _CYCLE = (
     Look(SKY, "P", "--"),
     Look(BLACK, "X", "-."),
 )
-LAW_NAMES = {
+# Markers and lines of an ordered series; its colours run from dark to light.
+_MARKERS, _LINES = "osD^vPX", ("-", "--", "-.")
+_DARK, _LIGHT = 0.0, 0.88
+LAW_NAMES: dict[str, str] = {
     "mooney-rivlin": "Mooney\N{EN DASH}Rivlin",
     "neo-hookean": "neo-Hookean",
     "svk": "Saint Venant\N{EN DASH}Kirchhoff",
 }
+
+SHORT_NAMES = {"mooney-rivlin": "MR", "neo-hookean": "NH", "svk": "SVK"}
 
 
 def looks(laws: list[str]) -> list[Look]:
@@ -92,6 +98,16 @@ def looks(laws: list[str]) -> list[Look]:
     if len(set(laws)) == len(laws) and set(laws) <= set(_BY_LAW):
         return [_BY_LAW[law] for law in laws]
     return [_CYCLE[k % len(_CYCLE)] for k in range(len(laws))]
+
+
+def ordered(count: int) -> list[Look]:
+    """Return the looks of sheets that differ by a growing number: colours from dark to light."""
+    shades = mpl.colormaps["viridis"]
+    steps = [_DARK + (_LIGHT - _DARK) * k / max(count - 1, 1) for k in range(count)]
+    return [
+        Look(to_hex(shades(step)), _MARKERS[k % len(_MARKERS)], _LINES[k % len(_LINES)])
+        for k, step in enumerate(steps)
+    ]
 
 
 def applied() -> AbstractContextManager[None]:
@@ -111,7 +127,11 @@ def panel(width: float = COLUMN, height: float = 4.8) -> tuple[Figure, Axes]:
 
 
 def legend_above(
-    axes: Axes, first: Sequence[str] = (), title: str = "", whole_width: bool = True
+    axes: Axes,
+    first: Sequence[str] = (),
+    title: str = "",
+    whole_width: bool = True,
+    columns: int = 2,
 ) -> float:
     """Put the legend of some axes above them, where it covers nothing, every label once.
 
@@ -124,7 +144,9 @@ def legend_above(
     title : str
         Line above the entries.
     whole_width : bool
-        Two columns over the width of the figure, otherwise one over the axes.
+        Over the width of the figure, otherwise in one column over the axes.
+    columns : int
+        Columns over the width of the figure.
 
     Returns
     -------
@@ -138,9 +160,9 @@ def legend_above(
     options: dict[str, Any] = {"title": title or None, "alignment": "left", "labelspacing": 0.3}
     handles = [entries[label] for label in order]
     if whole_width:
-        options |= {"ncols": 2, "columnspacing": 1.0}
+        options |= {"ncols": columns, "columnspacing": 1.0}
         axes.figure.legend(handles, order, loc="outside upper left", **options)
-        lines = -(-len(order) // 2)
+        lines = -(-len(order) // columns)
     else:
         options |= {"bbox_to_anchor": (-0.02, 1.0), "borderaxespad": 0.2}
         axes.legend(handles, order, loc="lower left", **options)

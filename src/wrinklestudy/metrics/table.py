@@ -1,10 +1,11 @@
-"""The tables of a study: one row per wrinkle file, one row per stability file.
+"""The table of a sheet: one row per wrinkle file; and the row of a stability file.
 
-Both are plain CSV with one header line. The columns and their units are `COLUMNS` and
+Tables are plain CSV with one header line. The columns and their units are `COLUMNS` and
 `STABILITY_COLUMNS`; an empty cell means that there is no such number (a state that did not
 converge, a flat sheet that has no wavelength).
 """
 
+import csv
 from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
 from typing import Any
@@ -18,7 +19,7 @@ Path = str | PathLike[str]
 CASE = ("material", "law", "bending", "parity", "aspect", "thickness")
 
 COLUMNS: dict[str, str] = {
-    "material": "name of the material",
+    "material": "name of the material or variant",
     "law": "strain energy: mooney-rivlin, neo-hookean or svk",
     "bending": "bending law: thinning, fixed-thickness or fvk",
     "parity": "of z across the width: antisymmetric or symmetric",
@@ -60,7 +61,6 @@ STABILITY_COLUMNS: dict[str, str] = {
     "strain_at_max": "strain at which it is reached",
 }
 
-_INTEGERS = ("unstable_directions", "newton_iterations", "cells_along", "cells_across")
 _MEASURED = (
     "amplitude_over_thickness",
     "wavelength_over_width",
@@ -170,10 +170,8 @@ def stability_row(path: Path) -> dict[str, Any]:
     return {column: content[column] for column in STABILITY_COLUMNS}
 
 
-def run(
-    wrinkle: Sequence[Path], stability: Sequence[Path], output: Path, stability_output: Path
-) -> None:
-    """Write the table of all wrinkle files and that of all stability files.
+def run(wrinkle: Sequence[Path], output: Path) -> None:
+    """Write the table of the wrinkle files of one sheet.
 
     Rows are sorted by case and strain, whatever the order of the files, and numbers are
     written with all their digits, so that the same files give the same bytes. No state
@@ -181,27 +179,26 @@ def run(
 
     Parameters
     ----------
-    wrinkle, stability : sequences of path-like
-        Files of the two stages.
-    output, stability_output : path-like
-        CSV files to write.
+    wrinkle : sequence of path-like
+        Files of the wrinkle stage.
+    output : path-like
+        CSV file to write.
 
     Raises
     ------
     ValueError
         If a file lacks something or two files hold the same case; one line that names the file.
     """
+    key = (*CASE, "strain")
     states = [measure_state(path) for path in wrinkle]
-    sheets = [stability_row(path) for path in stability]
-    _refuse_twins(states, (*CASE, "strain"), wrinkle)
-    _refuse_twins(sheets, CASE, stability)
-    _write(states, COLUMNS, (*CASE, "strain"), output)
-    _write(sheets, STABILITY_COLUMNS, CASE, stability_output)
+    refuse_twins(states, key, wrinkle)
+    write_table(states, COLUMNS, key, output)
 
 
-def _refuse_twins(
+def refuse_twins(
     rows: Sequence[Mapping[str, Any]], key: Sequence[str], paths: Sequence[Path]
 ) -> None:
+    """Raise a ValueError if two rows have the same key; it names the files they come from."""
     seen: dict[tuple[Any, ...], Path] = {}
     for row, path in zip(rows, paths, strict=True):
         case = tuple(row[name] for name in key)
@@ -210,16 +207,21 @@ def _refuse_twins(
         seen[case] = path
 
 
-def _write(
+def write_table(
     rows: Sequence[Mapping[str, Any]],
     columns: Mapping[str, str],
     key: Sequence[str],
     output: Path,
 ) -> None:
-    import pandas as pd
+    """Write rows as CSV, sorted by a key; numbers have all their digits, None and NaN are empty."""
+    ordered = sorted(rows, key=lambda row: tuple(row[name] for name in key))
+    with atomic_path(output) as path, open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(columns)
+        writer.writerows([_cell(row[name]) for name in columns] for row in ordered)
 
-    table = pd.DataFrame(list(rows), columns=list(columns)).sort_values(list(key))
-    for name in set(columns) & set(_INTEGERS):
-        table[name] = table[name].astype("Int64")
-    with atomic_path(output) as path:
-        table.to_csv(path, index=False, lineterminator="\n")
+
+def _cell(value: Any) -> str:
+    if value is None or value != value:
+        return ""
+    return repr(float(value)) if isinstance(value, float) else str(value)

@@ -11,7 +11,7 @@ from wrinklestudy.figures.inputs import Inputs
 
 def draw(inputs: Inputs) -> Figure:
     """Draw W_act/W with 1 - nu eps and, for finite strain, (1 + eps)^(-1/2)."""
-    series = inputs.sheet_series()
+    series = inputs.series
     figure, axes = style.panel()
     strain = np.linspace(0.0, largest_strain(series), 200)
     linear = theory.actual_width(strain)

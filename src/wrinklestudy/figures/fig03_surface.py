@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from wrinklestudy.figures import style
-from wrinklestudy.figures.inputs import Inputs, sheet_note
+from wrinklestudy.figures.inputs import Inputs
 from wrinklestudy.metrics.sheet import Surface
 
 Array = NDArray[np.float64]
@@ -53,9 +53,8 @@ def draw(inputs: Inputs) -> Figure:
         else:
             _surface(axes, state.surface(per_cell=_SAMPLES))
         title = rf"$\varepsilon = (L - L_0)/L_0 = {state.strain:g}$"
-        axes.set_title(title, loc="left", fontsize=8.0, pad=2.0)
-    note = sheet_note(states[0].aspect, states[0].thickness)
-    figure.suptitle(rf"{note}, $z$ drawn $\times\,{EXAGGERATION:g}$", fontsize=8.0)
+        axes.set_title(title, loc="left", fontsize=8.0, pad=4.0)
+    figure.suptitle(rf"{states[0].note}, $z$ drawn $\times\,{EXAGGERATION:g}$", fontsize=8.0)
     scale = ScalarMappable(Normalize(-1e3 * COLOR_LIMIT, 1e3 * COLOR_LIMIT), _CMAP)
     figure.colorbar(scale, ax=list(panels), shrink=0.7, aspect=25, label="$10^3\\,z/W$")
     return figure

@@ -9,26 +9,30 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from wrinklestudy import theory
-from wrinklestudy.figures import style
-from wrinklestudy.figures.against_strain import extremes, finish, points, styled
-from wrinklestudy.figures.inputs import Inputs, Series
+from wrinklestudy.figures import measured, style
+from wrinklestudy.figures.against_strain import BELOW, extremes, finish, points, styled
+from wrinklestudy.figures.inputs import Inputs
+from wrinklestudy.figures.series import Series
 
 _COLUMN = "phi_squared"
 
 
 def draw(inputs: Inputs) -> Figure:
     """Draw Phi^2 of the full width against strain, birth and decay included."""
-    series = inputs.sheet_series()
+    series = inputs.series
     figure, axes = style.panel()
     for one, look in styled(series):
         strain, confinement = one.curve(_COLUMN)
         axes.plot(strain, 1e3 * confinement, look.line, color=look.color, lw=0.8)
         points(axes, one, look, _COLUMN, 1e3)
-    axes.set_ylabel(r"$\Phi^2 \times 10^3$")
     largest = 1e3 * extremes(series, _COLUMN)[1] or 1.0
-    axes.set_ylim(-0.04 * largest, 1.75 * largest)
+    found = measured.confinement(inputs.scans_of([one.sheet for one in series]))
+    if found is not None:
+        largest = max(largest, measured.band(axes, found, 1e3))
+    axes.set_ylabel(r"$\Phi^2 \times 10^3$")
+    axes.set_ylim(-BELOW * largest, 2.0 * largest)
     end = finish(figure, axes, series)
-    _inset(axes.inset_axes((0.66, 0.63, 0.32, 0.34)), series, end)
+    _inset(axes.inset_axes((0.66, 0.60, 0.32, 0.34)), series, end)
     return figure
 
 

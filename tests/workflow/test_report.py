@@ -1,0 +1,124 @@
+"""The report is one file that a browser shows without the network: figures, captions, claims."""
+
+import html
+import json
+import re
+import shutil
+import subprocess
+
+import pytest
+
+from wrinklestudy.config_figures import CONTENTS, TABLES
+from wrinklestudy.figures import FIGURES
+
+pytestmark = pytest.mark.workflow
+
+OPTIONS = [
+    "--headless",
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--virtual-time-budget=60000",
+]
+# Opens what a click on each result would open, and writes down what is then to be seen.
+PROBE = """<script>
+(async () => {
+  const pause = () => new Promise((done) => setTimeout(done, 20));
+  while (!app) await pause();
+  const page = document.querySelector("#app");
+  const seen = {};
+  for (const [path, entry] of Object.entries(results)) {
+    ReactDOM.flushSync(() => app.showResultInfo(path));
+    seen[path] = {text: page.innerText, width: 0};
+    if (entry.mime_type === "image/png") {
+      const view = {content: "img", contentPath: entry.data_uri, resultPath: path};
+      ReactDOM.flushSync(() => app.setView(view));
+      const image = [...page.querySelectorAll("img")].find((one) => one.src === entry.data_uri);
+      while (!image.complete) await pause();
+      seen[path].width = image.naturalWidth;
+    }
+  }
+  const output = document.createElement("pre");
+  output.id = "seen";
+  output.textContent = JSON.stringify(seen);
+  document.body.append(output);
+})();
+</script>"""
+
+
+@pytest.fixture(scope="module")
+def report(finished_quick, tmp_path_factory):
+    """The report of the quick study, as text."""
+    path = tmp_path_factory.mktemp("report") / "report.html"
+    run = finished_quick.snakemake("--report", str(path))
+    assert run.returncode == 0, run.stderr
+    return path.read_text()
+
+
+def embedded(report, name):
+    """Return one of the values that the page holds for its scripts."""
+    found = re.search(rf"var {name} = (.*?);\n", report)
+    assert found is not None
+    return json.loads(found[1])
+
+
+@pytest.fixture(scope="module")
+def seen(report, tmp_path_factory):
+    """What a browser shows of each result: text and width of the picture."""
+    browser = shutil.which("chromium") or shutil.which("chromium-browser")
+    if browser is None:
+        pytest.skip("no chromium here: the report was not opened in a browser")
+    folder = tmp_path_factory.mktemp("browser")
+    start, end = report.rsplit("</body>", 1)
+    (folder / "probe.html").write_text(f"{start}{PROBE}</body>{end}")
+    profile, page = f"--user-data-dir={folder / 'profile'}", (folder / "probe.html").as_uri()
+    run = subprocess.run(
+        [browser, *OPTIONS, profile, "--dump-dom", page],
+        capture_output=True,
+        text=True,
+        timeout=300,
+        check=False,
+    )
+    found = re.search(r'<pre id="seen">(.*?)</pre>', run.stdout, flags=re.DOTALL)
+    assert found is not None, run.stderr[-2000:]
+    return json.loads(html.unescape(found[1]))
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_a_browser_shows_every_figure_with_its_caption(seen, name):
+    shown = seen[f"figures/quick/{name}.png"]
+    assert shown["width"] > 500
+    text = shown["text"]
+    assert f"Figure {CONTENTS[name].panel}. " in text
+    if name != "fig01_stress":
+        assert "Shown: latex, L/W = 2, t/W = 0.001: strain 0.1" in text
+        assert "12 x 18 cells on the quarter sheet" in text
+
+
+def test_a_browser_shows_claims_and_tables(seen):
+    names = ("claims/claims.html", "claims/claims.csv", "claims/table1.csv", "summary/peaks.csv")
+    for name in names:
+        assert len(seen[f"results/quick/{name}"]["text"]) > 100
+
+
+def test_figures_stand_once_and_in_their_part(report):
+    parts = embedded(report, "categories")
+    placed = {path: part for part, found in parts.items() for one in found.values() for path in one}
+    figures = {path: part for path, part in placed.items() if path.startswith("figures/")}
+    assert figures == {f"figures/quick/{name}.png": CONTENTS[name].part for name in FIGURES}
+    assert [placed[path] for path in placed if path not in figures] == [TABLES] * 4
+
+
+def test_run_times_of_every_stage_are_there(report, finished_quick):
+    times = embedded(report, "runtimes_spec")["data"]["values"]
+    stages = {path.name for path in (finished_quick.folder / "results" / "quick").iterdir()}
+    assert {one["rule"] for one in times} == (stages - {"log", "benchmark"}) | {"figures"}
+    assert all(one["runtime"] > 0 for one in times)
+
+
+def test_nothing_is_loaded_from_elsewhere(report):
+    assert not re.findall(r"""<(?:script|link|img|iframe)[^>]*(?:src|href)=["']https?:""", report)

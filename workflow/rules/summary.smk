@@ -1,0 +1,22 @@
+rule summary:
+    input:
+        metrics=all_sheets("metrics"),
+        stability=all_sheets("stability"),
+    output:
+        states=PATHS.pattern("summary"),
+        stability=PATHS.pattern("summary_stability"),
+        peaks=report(
+            PATHS.pattern("summary_peaks"),
+            caption="../report/peaks.rst",
+            category=config_figures.TABLES,
+            labels={"figure": "", "shows": "peak of each sheet (CSV)"},
+        ),
+    log:
+        PATHS.log("summary"),
+    threads: 1
+    resources:
+        mem_mb=500,
+    params:
+        code=code("summary"),
+    script:
+        "../scripts/summary.py"

@@ -1,0 +1,22 @@
+"""What the paper says against what is computed."""
+
+from typing import TYPE_CHECKING
+
+from wrinklestudy.joblog import log_to
+
+if TYPE_CHECKING:
+    from snakemake.iocontainers import snakemake
+
+with log_to(snakemake.log[0]):
+    from wrinklestudy import claims
+
+    claims.run(
+        states=snakemake.input.states,
+        stability=snakemake.input.stability,
+        peaks=snakemake.input.peaks,
+        materials=list(snakemake.input.materials),
+        sheet=tuple(snakemake.params.sheet),
+        output=snakemake.output.csv,
+        page=snakemake.output.page,
+        table=snakemake.output.table,
+    )
