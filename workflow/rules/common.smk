@@ -118,8 +118,8 @@ def of_figure(content):
 
 
 def final_files():
-    """What a study is run for; everything else is made on the way."""
-    return [*all_figures(), PATHS.pattern("claims"), PATHS.pattern("gate")]
+    """What a study is run for but the gate; everything else is made on the way."""
+    return [*all_figures(), *map(PATHS.pattern, ("claims", "claims_page", "claims_table"))]
 
 
 def files_on_the_way():
@@ -128,8 +128,7 @@ def files_on_the_way():
     found += [PATHS.of("mesh", aspect=one.aspect, resolved=one.resolved) for one in sheets]
     found += [path for case in STUDY.cases for path in (PATHS.planar(case), PATHS.wrinkle(case))]
     found += [*all_sheets("stability"), *all_sheets("metrics")]
-    found += map(PATHS.pattern, ("summary", "summary_stability", "summary_peaks"))
-    return found
+    return [*found, *map(PATHS.pattern, ("summary", "summary_stability", "summary_peaks"))]
 
 
 def study_digest():
@@ -146,12 +145,14 @@ def study_digest():
 
 
 def targets(_wildcards):
-    """The final files; only what was lost on the way, if there is nothing else to do.
+    """All that is wanted; of a finished study only what it has lost since, if anything.
 
     Snakemake would leave a lost file alone as long as nothing needs it, and once it makes it again,
     run everything that comes after it.
     """
-    lost = [path for path in files_on_the_way() if not Path(path).exists()]
     gate = Path(PATHS.pattern("gate"))
-    finished = gate.exists() and json.loads(gate.read_text()).get("study") == study_digest()
-    return lost if lost and finished else final_files()
+    if gate.exists() and json.loads(gate.read_text()).get("study") == study_digest():
+        lost = [one for one in (*files_on_the_way(), *final_files()) if not Path(one).exists()]
+        if lost:
+            return lost
+    return [*final_files(), gate.as_posix()]

@@ -1,8 +1,7 @@
 # Last of all, so that the figures are there to look at when it fails.
 rule gate:
     input:
-        all_figures(),
-        PATHS.pattern("claims"),
+        final_files(),
         states=PATHS.pattern("summary"),
     output:
         PATHS.pattern("gate"),
