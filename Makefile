@@ -15,7 +15,7 @@ SNAKEMAKE := $(BIN)/snakemake --cores $(CORES) --quiet host rules
 ONE_THREAD := OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 .DEFAULT_GOAL := help
-.PHONY: help env figures quick report test verify lint lock
+.PHONY: help env figures quick report test verify bench lint lock
 
 help: ## list the targets
 	@sed -n 's/^\([a-z]*\):.*## /  make \1	/p' $(MAKEFILE_LIST)
@@ -46,6 +46,12 @@ test: $(READY) ## run the tests, with the quick study as one of them
 
 verify: $(READY) ## compute the evidence that the numbers are right: docs/verification.md
 	$(SNAKEMAKE) --snakefile verification/Snakefile
+
+bench: $(READY) ## time the parts of the solver on four meshes (10 minutes): docs/performance.md
+	@mkdir -p results/bench
+	$(ONE_THREAD) $(BIN)/python -m pytest benchmarks/bench_solver.py -p no:xdist \
+		--override-ini addopts= --benchmark-json results/bench/solver.json
+	$(BIN)/python benchmarks/report.py results/bench/solver.json docs/performance.md
 
 lint: $(READY) ## check style, types and workflow
 	$(BIN)/ruff check .
