@@ -80,7 +80,7 @@ def _imports(path: Path, package: str, source: Path) -> Iterator[str]:
 
 
 def _read(path: Path) -> tuple[str, tuple[tuple[str, int, str], ...]]:
-    """Return what counts of a file: its tree as text and its imports (module, level, name)."""
+    """Return what counts of a file: digest of its tree and its imports (module, level, name)."""
     stat = path.stat()
     return _read_version(path, stat.st_mtime_ns, stat.st_size)
 
@@ -94,17 +94,19 @@ def _read_version(path: Path, *_version: int) -> tuple[str, tuple[tuple[str, int
             imports += [(alias.name, 0, "") for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
             imports += [(node.module or "", node.level, alias.name) for alias in node.names]
-    return ast.dump(_WithoutDocstrings().visit(tree)), tuple(imports)
+    text = ast.dump(_WithoutDocstrings().visit(tree))
+    return hashlib.sha256(text.encode()).hexdigest(), tuple(imports)
 
 
 def _nodes(node: ast.AST) -> Iterator[ast.AST]:
-    """Walk a tree, but not into what only type checkers see."""
+    """Walk the statements of a tree, but not those that only type checkers see."""
     yield node
     children: Iterable[ast.AST] = ast.iter_child_nodes(node)
     if isinstance(node, ast.If) and ast.unparse(node.test).endswith("TYPE_CHECKING"):
         children = node.orelse
     for child in children:
-        yield from _nodes(child)
+        if not isinstance(child, ast.expr):
+            yield from _nodes(child)
 
 
 class _WithoutDocstrings(ast.NodeTransformer):

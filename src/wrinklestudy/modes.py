@@ -178,7 +178,12 @@ def critical_modes(
 def _eigen(
     stress: sparse.csr_array, bent: sparse.csr_array, count: int, solver: Solver
 ) -> tuple[Array, Array]:
-    """Solve -S phi = mu B phi for the largest mu, by shift and invert above the spectrum."""
+    """Solve -S phi = mu B phi for the largest mu below a sigma that makes S + sigma B definite.
+
+    In the form B phi = theta (S + sigma B) phi, theta = 1/(sigma - mu), the right side is definite
+    even where B is not: for Mooney-Rivlin d2W/dg12^2 is negative beyond a shear that the corner
+    reaches.
+    """
     from scipy.sparse.linalg import LinearOperator, eigsh
 
     trial = _FIRST_TRIAL
@@ -194,21 +199,23 @@ def _eigen(
             if trial > _LARGEST_TRIAL:
                 raise ArithmeticError("the flat sheet is unstable at any thickness") from None
     size = stress.shape[0]
-    inverse = LinearOperator((size, size), matvec=lambda v: -solver.solve(v), dtype=np.float64)
-    squared, vectors = eigsh(
-        -symmetric(stress),
+    theta, vectors = eigsh(
+        symmetric(bent),
         k=count,
-        M=symmetric(bent),
-        sigma=trial**2,
-        OPinv=inverse,
+        M=symmetric(shifted),
+        Minv=LinearOperator((size, size), matvec=solver.solve, dtype=np.float64),
+        which="LA",
         v0=np.ones(size),
         ncv=_LANCZOS * count,
         tol=_EIGENVALUE_TOLERANCE,
     )
-    order = np.argsort(squared)[::-1]
-    vectors = vectors[:, order]
+    order = np.argsort(theta)[::-1]
+    theta, vectors = theta[order], vectors[:, order]
+    if theta[-1] <= 0.0:
+        raise ArithmeticError(f"fewer than {count} modes have a positive bending energy")
+    vectors = vectors / np.sqrt(theta)  # phi . B phi = 1
     largest = np.abs(vectors).argmax(axis=0)
-    return squared[order], vectors * np.sign(vectors[largest, np.arange(count)])
+    return trial**2 - 1.0 / theta, vectors * np.sign(vectors[largest, np.arange(count)])
 
 
 def _corner_part(flat: Flat, bent: Array, shapes: Array) -> Array:

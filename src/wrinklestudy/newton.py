@@ -58,7 +58,7 @@ class Options:
         First shift that is tried when the tangent is not positive definite.
     """
 
-    tolerance: float = 1.0e-22
+    tolerance: float = 1.0e-20
     max_iterations: int = 60
     first_shift: float = 1.0
 

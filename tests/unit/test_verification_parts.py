@@ -13,9 +13,9 @@ from wrinklestudy.verification.bending import elastica_formula
 from wrinklestudy.verification.closed_forms import LAW
 from wrinklestudy.verification.consistency import STEP, difference
 from wrinklestudy.verification.convergence import limit
-from wrinklestudy.verification.corner import halved, williams
 from wrinklestudy.verification.independent import extrapolated
 from wrinklestudy.verification.problem import held
+from wrinklestudy.verification.singularity import halved, williams
 from wrinklestudy.verification.stiffness import flexure, stiffness_formula
 from wrinklestudy.verification.stretching import CASES, MODES, exact
 

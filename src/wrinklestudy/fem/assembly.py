@@ -8,7 +8,6 @@ into the upper triangle of the global tangent.
 
 from dataclasses import dataclass
 from functools import cached_property
-from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -169,20 +168,17 @@ class Assembler:
         return sparse.csr_array((data, pattern.indices, pattern.indptr), shape=pattern.shape)
 
 
-_SHARED: WeakKeyDictionary[Space, dict[tuple[bytes, int], Assembler]] = WeakKeyDictionary()
-
-
 def shared_assembler(space: Space, free: NDArray[np.bool_], derivatives: int = 5) -> Assembler:
     """Return the assembler for some unknowns of a space, the same one at each call.
 
     Its sparsity pattern and the ordering of its factorisation then serve all strains and all
     thicknesses that are solved on the space.
     """
-    known = _SHARED.setdefault(space, {})
     key = (np.packbits(free).tobytes(), derivatives)
-    if key not in known:
-        known[key] = Assembler(space, free, derivatives)
-    return known[key]
+    if key not in space.shared:
+        space.shared[key] = Assembler(space, free, derivatives)
+    found: Assembler = space.shared[key]
+    return found
 
 
 def _sorted_order(keys: NDArray[np.int64], count: int) -> NDArray[np.int64]:

@@ -1,8 +1,8 @@
 """Hermite fields on the quarter sheet: dofs, quadrature, evaluation and boundary conditions."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,6 +37,8 @@ class Space:
 
     grid: Grid
     order: int = 5
+    # Assemblers by their unknowns, see `assembly.shared_assembler`; they live as long as the space.
+    shared: dict[tuple[bytes, int], Any] = field(default_factory=dict, init=False, repr=False)
 
     @cached_property
     def mesh(self) -> MeshQuad:
