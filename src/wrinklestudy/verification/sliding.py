@@ -1,0 +1,177 @@
+"""Stability of both parities against sliding the pattern, and in the whole sheet at once.
+
+Sliding the pattern sideways by a phase p mixes the two parities, w = w_a cos p + w_s sin p, and
+with one harmonic the energy is E_a + (E_s - E_a) sin^2 p. The softest perturbation of each is then
+the other, and for the eigenvalues mu of K v = mu t^3 B v
+
+    E_s - E_a = mu_a t^3 w_s.B w_s / 2 = -mu_s t^3 w_a.B w_a / 2.
+"""
+
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import brentq
+
+from wrinklestudy import flat, inertia, plate
+from wrinklestudy.fem.assembly import Assembler
+from wrinklestudy.fem.element import ORDERS
+from wrinklestudy.fem.linear import make_indefinite_solver
+from wrinklestudy.fem.space import Parity, Space
+from wrinklestudy.inertia import CLASSES, ClassStability
+from wrinklestudy.mesh import Grid
+from wrinklestudy.planar import Settings
+from wrinklestudy.verification.sheets import (
+    LATEX,
+    PARITIES,
+    THICKNESS,
+    bending_square,
+    both_parities,
+    energy_below,
+    parts,
+    planar_state,
+    quarter,
+    wrinkled,
+)
+from wrinklestudy.wrinkle import Equilibrium
+
+Array = NDArray[np.float64]
+
+SLIDING = (True, False)  # the class that keeps the mirror x = 0 and breaks y = 0
+STRAINS = (0.026, 0.03, 0.04, 0.05, 0.06, 0.07, 0.1, 0.14, 0.2, 0.3, 0.32, 0.36, 0.39)
+SPECTRA = (0.06, 0.2)  # where the eigenvalues of all classes are computed
+MESH, FINER = (12, 54), (12, 72)
+COARSER = ((12, 24), (12, 36))
+_ROOT, _NEAR = 3e-4, 2e-3  # accuracy of a root; how far from it another one is looked for
+
+
+class Pair(NamedTuple):
+    """The two parities at one strain."""
+
+    strain: float
+    states: tuple[Equilibrium, Equilibrium]
+    classes: tuple[tuple[ClassStability, ...], tuple[ClassStability, ...]]
+
+    @property
+    def sliding(self) -> tuple[ClassStability, ClassStability]:
+        """Stability of either against sliding."""
+        found = [next(c for c in group if c[:2] == SLIDING) for group in self.classes]
+        return found[0], found[1]
+
+    @property
+    def softest(self) -> tuple[float, float]:
+        """The eigenvalues mu_a and mu_s."""
+        return self.sliding[0].softest, self.sliding[1].softest
+
+    @property
+    def difference(self) -> float:
+        """E_s - E_a of the quarter, point by point."""
+        return energy_below(self.states[0], self.states[1])
+
+    @property
+    def predicted(self) -> tuple[float, float]:
+        """E_s - E_a from the eigenvalues of either parity."""
+        squares = [bending_square(state) for state in self.states]
+        mu = self.softest
+        return 0.5 * mu[0] * squares[1], -0.5 * mu[1] * squares[0]
+
+
+def solve_pair(space: Space, strain: float, every: bool = True, spectra: bool = False) -> Pair:
+    """Return both parities with their stability.
+
+    Parameters
+    ----------
+    space : Space
+    strain : float
+    every : bool
+        Against all four classes, else against sliding alone.
+    spectra : bool
+        Eigenvalues of all classes, else of sliding alone (NaN for the others).
+    """
+    states = both_parities(space, strain)
+    kinds = CLASSES if every else (SLIDING,)
+
+    def stability(state: Equilibrium) -> tuple[ClassStability, ...]:
+        return tuple(inertia._stability(state, *kind, spectra or kind == SLIDING) for kind in kinds)
+
+    return Pair(strain, states, (stability(states[0]), stability(states[1])))
+
+
+def eigenvalue(space: Space, strain: float, parity: Parity) -> float:
+    """Return the softest eigenvalue mu of one parity against sliding."""
+    state = flat.solve(space, LATEX.law, strain)
+    found = wrinkled(planar_state(state, LATEX, Settings(parity=parity, modes=4)), THICKNESS)
+    return inertia._stability(found, *SLIDING, eigenvalues=True).softest
+
+
+def exchange(space: Space, parity: Parity, low: float, high: float) -> float:
+    """Return the strain at which a parity becomes stable or unstable to sliding; NaN if none."""
+
+    def softest(strain: float) -> float:
+        return eigenvalue(space, strain, parity)
+
+    try:
+        return float(brentq(softest, low, high, xtol=_ROOT))
+    except ValueError:  # no change of sign
+        return float("nan")
+
+
+class Study(NamedTuple):
+    """What was computed."""
+
+    pairs: tuple[Pair, ...]  # on MESH
+    coarser: dict[tuple[int, int], tuple[Pair, ...]]
+    roots: tuple[tuple[float, float, float], ...]  # both parities on MESH, the first on FINER
+
+
+def study() -> Study:
+    """Return both parities over strain on several meshes, and where they exchange stability."""
+    space, fine = quarter(*MESH), quarter(*FINER)
+    pairs = tuple(solve_pair(space, strain, spectra=strain in SPECTRA) for strain in STRAINS)
+    coarser = {}
+    for mesh in COARSER:
+        other = quarter(*mesh)
+        coarser[mesh] = tuple(solve_pair(other, strain, every=False) for strain in STRAINS)
+    roots = []
+    for a, b in pairwise(pairs):
+        if a.softest[0] * b.softest[0] < 0.0:
+            root = exchange(space, PARITIES[0], a.strain, b.strain)
+            near = (max(a.strain, root - _NEAR), min(b.strain, root + _NEAR))
+            roots.append(
+                (root, exchange(space, PARITIES[1], *near), exchange(fine, PARITIES[0], *near))
+            )
+    return Study(pairs, coarser, tuple(roots))
+
+
+def whole_sheet_inertia(state: Equilibrium) -> int:
+    """Return the negative eigenvalues of the tangent of the whole sheet, without any mirror.
+
+    The state of the quarter is reflected into the other three; only the clamps hold.
+    """
+    _, space, quarter_position = parts(state)
+    grid = space.grid
+    whole = Space(Grid(_mirrored(grid.x), _mirrored(grid.y)))
+    nodes = space.nodes_from_field(quarter_position)
+    odd_y = state.planar.settings.parity == "antisymmetric"
+    for axis, odd in ((0, (True, False, False)), (1, (False, True, odd_y))):
+        signs = np.array([[(-1.0) ** (o[axis] + is_odd) for o in ORDERS] for is_odd in odd])
+        image = np.flip(nodes, axis=2 + axis) * signs[:, :, None, None]
+        keep = [slice(None)] * 4
+        keep[2 + axis] = slice(0, -1)
+        nodes = np.concatenate([image[tuple(keep)], nodes], axis=2 + axis)
+    free = np.ones((3, whole.size), dtype=bool)
+    for edge in ("middle", "clamp"):  # the two ends of the whole grid
+        free[:2, whole.edge_dofs(edge, ["u", "u_y"])] = False
+        free[2, whole.edge_dofs(edge, ["u", "u_x", "u_y", "u_xy"])] = False
+    bending = state.planar.settings.bending
+    section = plate.Section(state.planar.material.law, state.thickness, bending)
+    surface = plate.surface(whole.derivatives(whole.field_from_nodes(nodes)), bending)
+    derivatives = section.derivatives(surface.metric, surface.curvature)
+    solver = make_indefinite_solver()
+    solver.factorise(Assembler(whole, free).tangent(plate.hessian(surface, derivatives)))
+    return solver.negative
+
+
+def _mirrored(lines: Array) -> Array:
+    return np.concatenate([-lines[:0:-1], lines])
