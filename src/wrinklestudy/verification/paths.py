@@ -15,6 +15,7 @@ from wrinklestudy.verification.sheets import (
     LATEX,
     PARITIES,
     THICKNESS,
+    parts,
     planar_state,
     quarter,
     wrinkled,
@@ -47,15 +48,25 @@ def quick() -> list[Check]:
     planar = solve_planar(space, LATEX, 0.12)
     found = minima(planar, THICKNESS, (1.0,))
     start = wrinkled(planar, THICKNESS)
-    short = branch.trace(start, (0.0, 0.2), options=branch.Options(max_points=4))
-    alone = wrinkled(solve_planar(space, LATEX, short.points[-1].strain), THICKNESS)
+    short = branch.trace(start, (0.0, 0.2), options=branch.Options(step=0.4, max_points=3))
+    last, position = short.points[-1], short.positions[-1]
+    alone = wrinkled(solve_planar(space, LATEX, last.strain), THICKNESS)
+    there = parts(alone).position
     return [
         *seeding.checks(found),
         Check(
-            "short branch: energy at its last point",
-            short.points[-1].energy,
+            f"short branch to strain {last.strain:.4f}: energy",
+            last.energy,
             alone.energy,
             seeding.AGREE,
+            reason="the state at that strain found on its own",
+        ),
+        Check(
+            f"short branch to strain {last.strain:.4f}: largest difference of the dofs in t",
+            float(np.abs([*(position - there)[:2], np.abs(position[2]) - np.abs(there[2])]).max())
+            / THICKNESS,
+            1e-6,
+            kind="at most",
             reason="the state at that strain found on its own",
         ),
     ]

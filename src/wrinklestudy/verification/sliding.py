@@ -14,14 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from wrinklestudy import flat, inertia, plate
-from wrinklestudy.fem.assembly import Assembler
-from wrinklestudy.fem.element import ORDERS
-from wrinklestudy.fem.linear import make_indefinite_solver
+from wrinklestudy import flat, inertia
 from wrinklestudy.fem.space import Parity, Space
 from wrinklestudy.inertia import CLASSES, ClassStability
-from wrinklestudy.mesh import Grid
 from wrinklestudy.planar import Settings
+from wrinklestudy.verification.mirrors import SLIDING
 from wrinklestudy.verification.sheets import (
     LATEX,
     PARITIES,
@@ -29,7 +26,6 @@ from wrinklestudy.verification.sheets import (
     bending_square,
     both_parities,
     energy_below,
-    parts,
     planar_state,
     quarter,
     wrinkled,
@@ -38,7 +34,6 @@ from wrinklestudy.wrinkle import Equilibrium
 
 Array = NDArray[np.float64]
 
-SLIDING = (True, False)  # the class that keeps the mirror x = 0 and breaks y = 0
 STRAINS = (0.026, 0.03, 0.04, 0.05, 0.06, 0.07, 0.1, 0.14, 0.2, 0.3, 0.32, 0.36, 0.39)
 SPECTRA = (0.06, 0.2)  # where the eigenvalues of all classes are computed
 MESH, FINER = (12, 54), (12, 72)
@@ -142,36 +137,3 @@ def study() -> Study:
                 (root, exchange(space, PARITIES[1], *near), exchange(fine, PARITIES[0], *near))
             )
     return Study(pairs, coarser, tuple(roots))
-
-
-def whole_sheet_inertia(state: Equilibrium) -> int:
-    """Return the negative eigenvalues of the tangent of the whole sheet, without any mirror.
-
-    The state of the quarter is reflected into the other three; only the clamps hold.
-    """
-    _, space, quarter_position = parts(state)
-    grid = space.grid
-    whole = Space(Grid(_mirrored(grid.x), _mirrored(grid.y)))
-    nodes = space.nodes_from_field(quarter_position)
-    odd_y = state.planar.settings.parity == "antisymmetric"
-    for axis, odd in ((0, (True, False, False)), (1, (False, True, odd_y))):
-        signs = np.array([[(-1.0) ** (o[axis] + is_odd) for o in ORDERS] for is_odd in odd])
-        image = np.flip(nodes, axis=2 + axis) * signs[:, :, None, None]
-        keep = [slice(None)] * 4
-        keep[2 + axis] = slice(0, -1)
-        nodes = np.concatenate([image[tuple(keep)], nodes], axis=2 + axis)
-    free = np.ones((3, whole.size), dtype=bool)
-    for edge in ("middle", "clamp"):  # the two ends of the whole grid
-        free[:2, whole.edge_dofs(edge, ["u", "u_y"])] = False
-        free[2, whole.edge_dofs(edge, ["u", "u_x", "u_y", "u_xy"])] = False
-    bending = state.planar.settings.bending
-    section = plate.Section(state.planar.material.law, state.thickness, bending)
-    surface = plate.surface(whole.derivatives(whole.field_from_nodes(nodes)), bending)
-    derivatives = section.derivatives(surface.metric, surface.curvature)
-    solver = make_indefinite_solver()
-    solver.factorise(Assembler(whole, free).tangent(plate.hessian(surface, derivatives)))
-    return solver.negative
-
-
-def _mirrored(lines: Array) -> Array:
-    return np.concatenate([-lines[:0:-1], lines])

@@ -6,43 +6,32 @@ from pathlib import Path
 
 import numpy as np
 
-from wrinklestudy import flat, inertia
 from wrinklestudy.figures import style
 from wrinklestudy.inertia import CLASSES, ClassStability
 from wrinklestudy.mesh import MeshSettings
-from wrinklestudy.planar import Settings
+from wrinklestudy.verification import mirrors
 from wrinklestudy.verification.checks import Check, Group, Table, write
+from wrinklestudy.verification.mirrors import SLIDING, name
 from wrinklestudy.verification.sheets import (
     LATEX,
     PARITIES,
     THICKNESS,
     amplitude,
-    both_parities,
     energy_below,
-    planar_state,
-    quarter,
 )
 from wrinklestudy.verification.sliding import (
     FINER,
     MESH,
-    SLIDING,
     SPECTRA,
     STRAINS,
     Pair,
     Study,
     study,
-    whole_sheet_inertia,
 )
-from wrinklestudy.wrinkle import solve
 
 DIFFERENCES = (0.026, 0.2)  # energies differ by more than their rounding between these strains
 DEFAULT_ACROSS = MeshSettings().cells_across
 _SHEET_METRES = 0.14  # W of the sheet of Panaitescu et al.
-
-
-def name(kind: tuple[bool, bool]) -> str:
-    """Return a class of perturbations in words."""
-    return ", ".join(f"{'keeps' if k else 'breaks'} {a}" for k, a in zip(kind, "xy", strict=True))
 
 
 def windows(roots: Sequence[float], stable_first: bool) -> list[str]:
@@ -52,37 +41,8 @@ def windows(roots: Sequence[float], stable_first: bool) -> list[str]:
 
 
 def quick() -> list[Check]:
-    """Return the cheap checks of the four classes, on a coarse mesh."""
-    mesh, strain, thick = (8, 18), 0.12, 2.0e-3
-    space = quarter(*mesh)
-    checks = []
-    for parity, state in zip(PARITIES, both_parities(space, strain), strict=True):
-        counts = [c.unstable for c in inertia.classes(state, eigenvalues=False)]
-        checks.append(
-            Check(
-                f"{parity}, {mesh[0]} x {mesh[1]} cells: unstable directions of all classes",
-                sum(counts),
-                whole_sheet_inertia(state),
-                kind="absolute",
-                reason="inertia of the tangent of the whole sheet, assembled without mirrors",
-            )
-        )
-    known = flat.solve(space, LATEX.law, strain)
-    planar = [planar_state(known, LATEX, Settings(parity=parity)) for parity in PARITIES]
-    sheet = solve(planar[0], thick)
-    for kind, other in zip(((True, True), SLIDING), planar, strict=True):
-        squared = float("nan") if other.modes is None else float(other.modes.squared[0])
-        found = next(c for c in inertia.classes(sheet) if c[:2] == kind)
-        checks.append(
-            Check(
-                f"flat sheet of t/W = {thick:g}, class ({name(kind)}): softest eigenvalue",
-                found.softest,
-                1.0 - squared / thick**2,
-                1e-6,
-                reason="1 - (tau_1/t)^2, tau_1 of that parity from the flat state",
-            )
-        )
-    return checks
+    """Return the cheap checks: the splitting into classes on a coarse mesh."""
+    return mirrors.checks()
 
 
 def _others(done: Study, which: int) -> list[ClassStability]:
