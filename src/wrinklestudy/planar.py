@@ -10,6 +10,7 @@ import numpy as np
 from wrinklestudy.fem.space import Parity, Space
 from wrinklestudy.flat import Flat
 from wrinklestudy.flat import solve as solve_flat
+from wrinklestudy.joblog import log_cpu
 from wrinklestudy.material import laws
 from wrinklestudy.mesh import Grid, read_grid
 from wrinklestudy.modes import Modes, critical_modes
@@ -126,7 +127,10 @@ def run(
     from wrinklestudy.material.result import load
 
     name = name or Path(material).stem
-    write(solve(read_grid(mesh), load(material), strain, Settings(**settings), name), output)
+    grid, loaded = read_grid(mesh), load(material)
+    with log_cpu("solve"):
+        state = solve(grid, loaded, strain, Settings(**settings), name)
+    write(state, output)
 
 
 def write(planar: Planar, output: Path | str) -> None:

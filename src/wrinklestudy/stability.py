@@ -14,6 +14,7 @@ import numpy as np
 
 from wrinklestudy.fem.space import Space
 from wrinklestudy.flat import solve as solve_flat
+from wrinklestudy.joblog import log_cpu
 from wrinklestudy.material import laws
 from wrinklestudy.mesh import Grid, read_grid
 from wrinklestudy.modes import critical_thickness
@@ -216,7 +217,8 @@ def run(
     attributes = [read_h5(path, ())[1] for path in planar]
     known = [(a["strain"], a["critical_thickness"]) for a in attributes if not a["reason"]]
     grid, loaded, options = read_grid(mesh), load(material), Settings(**settings)
-    found = find(critical_curve(grid, loaded, options), thickness, known)
+    with log_cpu("solve"):
+        found = find(critical_curve(grid, loaded, options), thickness, known)
     description = {
         "material": name or Path(material).stem,
         **laws.describe(loaded),

@@ -17,6 +17,7 @@ from scipy import sparse
 from wrinklestudy import newton, plate
 from wrinklestudy.fem.assembly import shared_assembler
 from wrinklestudy.flat import Flat
+from wrinklestudy.joblog import log_cpu
 from wrinklestudy.material import laws
 from wrinklestudy.modes import Modes
 from wrinklestudy.planar import Planar
@@ -261,7 +262,10 @@ def run(
     output : path
         HDF5 file to write.
     """
-    write(solve(read_planar(planar), thickness, Settings(**settings)), output)
+    flat = read_planar(planar)
+    with log_cpu("solve"):
+        state = solve(flat, thickness, Settings(**settings))
+    write(state, output)
 
 
 def write(state: Equilibrium, output: Path | str) -> None:

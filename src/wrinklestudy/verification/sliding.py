@@ -38,7 +38,7 @@ STRAINS = (0.026, 0.03, 0.04, 0.05, 0.06, 0.07, 0.1, 0.14, 0.2, 0.3, 0.32, 0.36,
 SPECTRA = (0.06, 0.2)  # where the eigenvalues of all classes are computed
 MESH, FINER = (12, 54), (12, 72)
 COARSER = ((12, 24), (12, 36))
-_ROOT, _NEAR = 3e-4, 2e-3  # accuracy of a root; how far from it another one is looked for
+_ROOT, _NEAR = 3e-4, 1e-3  # accuracy of a root; how far from it another one is looked for
 
 
 class Pair(NamedTuple):
@@ -100,16 +100,30 @@ def eigenvalue(space: Space, strain: float, parity: Parity) -> float:
     return inertia._stability(found, *SLIDING, eigenvalues=True).softest
 
 
-def exchange(space: Space, parity: Parity, low: float, high: float) -> float:
-    """Return the strain at which a parity becomes stable or unstable to sliding; NaN if none."""
+def exchange(space: Space, parity: Parity, known: dict[float, float]) -> float:
+    """Return the strain at which a parity becomes stable or unstable to sliding.
+
+    Parameters
+    ----------
+    space : Space
+    parity : {'antisymmetric', 'symmetric'}
+    known : dict
+        Eigenvalues of opposite sign at two strains on this space.
+    """
 
     def softest(strain: float) -> float:
-        return eigenvalue(space, strain, parity)
+        return known[strain] if strain in known else eigenvalue(space, strain, parity)
 
-    try:
-        return float(brentq(softest, low, high, xtol=_ROOT))
-    except ValueError:  # no change of sign
+    return float(brentq(softest, min(known), max(known), xtol=_ROOT))
+
+
+def exchange_near(space: Space, parity: Parity, strain: float) -> float:
+    """Return the root of mu from its values on both sides of a strain; NaN if there is none."""
+    ends = np.array([strain - _NEAR, strain + _NEAR])
+    low, high = (eigenvalue(space, float(end), parity) for end in ends)
+    if low * high > 0.0:
         return float("nan")
+    return float(ends[0] + 2.0 * _NEAR * low / (low - high))
 
 
 class Study(NamedTuple):
@@ -131,9 +145,8 @@ def study() -> Study:
     roots = []
     for a, b in pairwise(pairs):
         if a.softest[0] * b.softest[0] < 0.0:
-            root = exchange(space, PARITIES[0], a.strain, b.strain)
-            near = (max(a.strain, root - _NEAR), min(b.strain, root + _NEAR))
-            roots.append(
-                (root, exchange(space, PARITIES[1], *near), exchange(fine, PARITIES[0], *near))
-            )
+            known = {a.strain: a.softest[0], b.strain: b.softest[0]}
+            root = exchange(space, PARITIES[0], known)
+            symmetric = exchange_near(space, PARITIES[1], root)
+            roots.append((root, symmetric, exchange_near(fine, PARITIES[0], root)))
     return Study(pairs, coarser, tuple(roots))

@@ -148,7 +148,8 @@ def _table(done: Study) -> Table:
     return Table(
         f"Both parities at t/W = {THICKNESS:g}, {MESH[0]} x {MESH[1]} cells. Unstable directions "
         f"in the classes {'; '.join(map(name, CLASSES))}; mu of the second class; E_s - E_a in "
-        "parts of the energy that wrinkles save, from the energies and from mu_a",
+        "parts of the energy that wrinkles save, from the energies (rounding shows beyond strain "
+        f"{DIFFERENCES[1]:g}) and from mu_a",
         [
             "strain", "A/t a", "A/t s", "unstable a", "unstable s", "mu a", "mu s",
             "E_s - E_a", "predicted", "stable in the whole sheet",
