@@ -28,6 +28,7 @@ $(READY): $(LOCK) pyproject.toml
 	$(PYTHON) -m venv .venv
 	$(PIP) install --quiet --requirement $(LOCK)
 	$(PIP) install --quiet --no-deps --editable .
+	$(BIN)/python -m compileall -q src
 	@touch $@
 
 figures: $(READY) ## run the default study (config.yaml) on all cores: figures/

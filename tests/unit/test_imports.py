@@ -89,3 +89,12 @@ def test_solver_jobs_do_not_import_heavy_packages(module):
     )
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert found.stdout.strip() == "[]"
+
+
+def test_figures_of_computed_points_do_without_splines():
+    code = (
+        "import sys; from wrinklestudy.figures import fig05_amplitude;"
+        "print('scipy.interpolate' in sys.modules)"
+    )
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert found.stdout.strip() == "False"

@@ -7,7 +7,6 @@ where the nodes happen to lie (nodes alone miss a wrinkle's peak by up to 8%).
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicHermiteSpline
 
 Array = NDArray[np.float64]
 
@@ -37,6 +36,8 @@ def evaluate(
     -------
     ndarray, shape (..., m, n)
     """
+    from scipy.interpolate import CubicHermiteSpline  # here for the time that it takes
+
     # A tensor product: the values and the Y-slopes are each cubic Hermite along X first.
     along = CubicHermiteSpline(
         grid_x, field[..., [0, 2], :, :], field[..., [1, 3], :, :], axis=field.ndim - 2

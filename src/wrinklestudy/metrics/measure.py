@@ -8,12 +8,15 @@ both the full width and the central wrinkle alone are returned.
 """
 
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline
 
 from wrinklestudy.metrics.profile import Profile, profile_from_state
+
+if TYPE_CHECKING:
+    from scipy.interpolate import CubicSpline
 
 Array = NDArray[np.float64]
 
@@ -80,6 +83,8 @@ def measure(profile: Profile) -> Measures:
     -------
     Measures
     """
+    from scipy.interpolate import CubicSpline  # here because it takes half a second to import
+
     y, z = profile.y, profile.z
     width = float(y[-1] - y[0])
     if np.abs(z).max() <= FLAT * width:
@@ -166,7 +171,7 @@ def _roots(curve: object) -> Array:
     return np.unique(found[np.isfinite(found)])  # a piece that is zero throughout gives NaN
 
 
-def _crossings(curve: CubicSpline, extrema: Array, levels: Array) -> Array:
+def _crossings(curve: "CubicSpline", extrema: Array, levels: Array) -> Array:
     """Return one zero crossing between each two neighbouring extrema of opposite sign."""
     roots = _roots(curve)
     found = []
@@ -192,7 +197,7 @@ def _spacing(positions: Array, centre: float) -> float:
     return float(second[nearest] - first[nearest])
 
 
-def _excess(curve: CubicSpline, start: float, stop: float) -> float:
+def _excess(curve: "CubicSpline", start: float, stop: float) -> float:
     """Return arc length minus projected length of z(y) between two points."""
     knots = curve.x
     inside = knots[(knots > start) & (knots < stop)]
@@ -204,7 +209,7 @@ def _excess(curve: CubicSpline, start: float, stop: float) -> float:
     return float(half @ (density @ _GAUSS_WEIGHTS))
 
 
-def _central_phi_squared(curve: CubicSpline, y: Array, centre: float, wavelength: float) -> float:
+def _central_phi_squared(curve: "CubicSpline", y: Array, centre: float, wavelength: float) -> float:
     start, stop = centre - 0.5 * wavelength, centre + 0.5 * wavelength
     if not (start >= y[0] and stop <= y[-1]):
         return float("nan")

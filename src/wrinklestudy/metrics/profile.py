@@ -8,7 +8,6 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import make_smoothing_spline
 
 from wrinklestudy.metrics.interpolant import evaluate, subdivided, unfolded_across
 
@@ -219,6 +218,8 @@ def _smooth(profile: Profile, noise: float) -> Callable[[Array], Array]:
     of unit spacing it damps the wave number k by 1/(1 + p k^4), p the penalty; the integral of that
     over k gives tr(S) = n p^(-1/4) / (2 sqrt 2), besides the 2 of the straight line.
     """
+    from scipy.interpolate import make_smoothing_spline  # here for the time that it takes
+
     count = len(profile.y)
     spacing = (profile.y[-1] - profile.y[0]) / (count - 1)
     scale = max(float(np.abs(profile.z).max()), 1e-300)
