@@ -19,6 +19,7 @@ from wrinklestudy.fem.linear import make_solver  # noqa: E402
 from wrinklestudy.fem.space import Space  # noqa: E402
 from wrinklestudy.material.laws import mooney_rivlin  # noqa: E402
 from wrinklestudy.mesh import MeshSettings, make_grid  # noqa: E402
+from wrinklestudy.problem import PlateProblem  # noqa: E402
 
 LATEX = mooney_rivlin(6.21e4, 1.58e5)
 STRAIN, THICKNESS = 0.12, 1.0e-3
@@ -30,7 +31,7 @@ class Setup:
     """A solved case and what its parts need."""
 
     planar: planar.Planar
-    problem: wrinkle.PlateProblem
+    problem: PlateProblem
     unknowns: Any
     tangent: Any
 
@@ -44,7 +45,7 @@ def setup(request: pytest.FixtureRequest) -> Setup:
     start = planar.solve(space, LATEX, STRAIN)
     state = wrinkle.solve(start, THICKNESS)
     assert state.status == "wrinkled"
-    problem = wrinkle.PlateProblem(start.flat, start.modes, THICKNESS)
+    problem = PlateProblem(start.flat, start.modes, THICKNESS)
     unknowns = state.position[problem.assembler.free]
     return Setup(start, problem, unknowns, problem.derivatives(unknowns)[2])
 

@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 
 from wrinklestudy.fem.linear import IndefiniteSolver, make_indefinite_solver
 from wrinklestudy.planar import Planar
-from wrinklestudy.wrinkle import Equilibrium, PlateProblem
+from wrinklestudy.problem import PlateProblem
+from wrinklestudy.wrinkle import Equilibrium
 
 Array = NDArray[np.float64]
 

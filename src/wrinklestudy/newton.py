@@ -56,11 +56,17 @@ class Options:
         Largest number of Newton iterations.
     first_shift : float
         First shift that is tried when the tangent is not positive definite.
+    rise : float
+        How far a step may raise the energy, in units of the decrement: 0 for a descent.
+    ceiling : float
+        Energy that a step may not rise to.
     """
 
     tolerance: float = 1.0e-20
     max_iterations: int = 60
     first_shift: float = 1.0
+    rise: float = 0.0
+    ceiling: float = np.inf
 
     def __post_init__(self) -> None:
         if not 0 < self.tolerance < 1:
@@ -149,7 +155,8 @@ def minimise(problem: Problem, start: Array, solver: Solver, options: Options) -
         direction = -solver.solve(residual)
         decrement = -float(residual @ direction)
         scaled = float(np.abs(residual / np.sqrt(np.abs(tangent.diagonal()))).max())
-        step, gain = _line_search(problem, unknowns, energy, direction, decrement)
+        allowed = max(min(options.rise * decrement, options.ceiling - energy), 0.0)
+        step, gain = _line_search(problem, unknowns, energy, direction, decrement, allowed)
         history.append(Iteration(energy, scaled, decrement, step, shift, 1.0))
         if shift == 0.0 and 0.0 <= decrement <= options.tolerance * abs(energy):
             reason = ""
@@ -243,16 +250,24 @@ def _shifted(problem: Problem, tangent: sparse.csr_array, shift: float) -> spars
 
 
 def _line_search(
-    problem: Problem, unknowns: Array, energy: float, direction: Array, decrement: float
+    problem: Problem,
+    unknowns: Array,
+    energy: float,
+    direction: Array,
+    decrement: float,
+    allowed: float,
 ) -> tuple[float, float]:
-    """Halve the step until the energy falls enough; return the step and the change of energy."""
+    """Halve the step until the energy falls enough; return the step and the change of energy.
+
+    It may be higher than that by `allowed`.
+    """
     rounding = 1e-14 * abs(energy)
     if decrement <= rounding:  # the energy cannot tell: a step of plain Newton
         return 1.0, 0.0
     step = 1.0
     for _ in range(_MAX_HALVINGS):
         change = problem.energy(unknowns + step * direction) - energy
-        if change <= -_ARMIJO * step * decrement + rounding:
+        if change <= allowed - _ARMIJO * step * decrement + rounding:
             return step, change
         step /= 2.0
     return 0.0, 0.0

@@ -202,6 +202,31 @@ def gradient(shape: Surface, section: SectionDerivatives) -> Array:
     return result
 
 
+def predict(shape: Surface, section: SectionDerivatives, step: Array) -> tuple[Array, Array]:
+    """Return force and moment, (3, ...) each, after a step, to first order in it.
+
+    Parameters
+    ----------
+    shape : Surface
+        Geometry before the step.
+    section : SectionDerivatives
+        Section before the step.
+    step : (5, 3, ...) array
+        Change of x,1 x,2 x,11 x,22 x,12.
+    """
+    (p, q), along = shape.tangents, [_dot(shape.normal, change) for change in step]
+    metric = np.stack(
+        [2.0 * _dot(p, step[0]), 2.0 * _dot(q, step[1]), _dot(q, step[0]) + _dot(p, step[1])]
+    )
+    turned = shape.christoffel[0] * along[0] + shape.christoffel[1] * along[1]
+    curvature = np.stack(along[2:]) - turned
+    force = np.einsum("km...,m...->k...", section.stretching, metric)
+    force += np.einsum("km...,m...->k...", section.coupling, curvature)
+    moment = np.einsum("km...,k...->m...", section.coupling, metric)
+    moment += np.einsum("km...,m...->k...", section.bending, curvature)
+    return section.force + force, section.moment + moment
+
+
 class _Parts(NamedTuple):
     """Vectors from which the entries of the Hessian are put together."""
 

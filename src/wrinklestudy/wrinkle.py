@@ -12,21 +12,23 @@ from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import sparse
 
-from wrinklestudy import newton, plate
-from wrinklestudy.fem.assembly import shared_assembler
+from wrinklestudy import newton
 from wrinklestudy.flat import Flat
 from wrinklestudy.joblog import log_cpu
 from wrinklestudy.material import laws
 from wrinklestudy.modes import Modes
 from wrinklestudy.planar import Planar
 from wrinklestudy.planar import read as read_planar
+from wrinklestudy.problem import PlateProblem, Predicting
 from wrinklestudy.reduced import seed_position, seeds
 from wrinklestudy.store import write_h5
 
 Array = NDArray[np.float64]
 Status = Literal["wrinkled", "flat", "not-converged"]
+
+# Steps with a predicted tangent lead along narrow valleys of the energy, a little up their walls.
+_RISE = 10.0
 
 
 @dataclass(frozen=True)
@@ -85,74 +87,6 @@ class Equilibrium:
     unstable_directions: int
     residual: float
     history: tuple[newton.Iteration, ...]
-
-
-class PlateProblem:
-    """Energy of the sheet over its free dofs, in units of mu W^3."""
-
-    def __init__(self, flat: Flat, modes: Modes, thickness: float) -> None:
-        self.flat = flat
-        self.modes = modes
-        self.section = plate.Section(flat.law, thickness, modes.bending)
-        self.assembler = shared_assembler(flat.space, flat.space.free(modes.parity))
-        self._shift: sparse.csr_array | None = None
-        self._prescribed = np.zeros((3, flat.space.size))
-        self._prescribed[:2] = flat.position
-
-    def position(self, unknowns: Array) -> Array:
-        """Return the dof vectors (3, size) with the prescribed values in place."""
-        field = self._prescribed.copy()
-        field[self.assembler.free] = unknowns
-        return field
-
-    def prescribe(self, component: int, dofs: NDArray[np.int64], values: Array) -> None:
-        """Set prescribed values of one component of the position."""
-        self._prescribed[component, dofs] = values
-
-    def energy(self, unknowns: Array) -> float:
-        """Return the energy, infinite where the surface or its thickness degenerates."""
-        space = self.assembler.space
-        with np.errstate(all="ignore"):
-            density = plate.energy(self.section, space.derivatives(self.position(unknowns)))
-        total = float((density * space.measure).sum())
-        return total if np.isfinite(total) else np.inf
-
-    def derivatives(self, unknowns: Array) -> tuple[float, Array, sparse.csr_array]:
-        """Return the energy, the residual and the upper triangle of the tangent."""
-        space, assembler = self.assembler.space, self.assembler
-        surface = plate.surface(space.derivatives(self.position(unknowns)), self.section.bending)
-        density = self.section.energy(surface.metric, surface.curvature)
-        parts = self.section.derivatives(surface.metric, surface.curvature)
-        residual = assembler.residual(plate.gradient(surface, parts))[assembler.free]
-        tangent = assembler.tangent(plate.hessian(surface, parts))
-        return float((density * space.measure).sum()), residual, tangent
-
-    def residual(self, unknowns: Array) -> Array:
-        """Return the residual alone."""
-        return self.reactions(unknowns)[self.assembler.free]
-
-    def reactions(self, unknowns: Array) -> Array:
-        """Return the residual at every dof, (3, size); the reactions are at the prescribed ones."""
-        surface = plate.surface(
-            self.assembler.space.derivatives(self.position(unknowns)), self.section.bending
-        )
-        parts = self.section.derivatives(surface.metric, surface.curvature)
-        return self.assembler.residual(plate.gradient(surface, parts))
-
-    def shift(self) -> sparse.csr_array:
-        """Return t B on the deflection: it lifts all modes of the flat state by the same amount."""
-        if self._shift is None:
-            space = self.assembler.space
-            _, bent = plate.deflection(
-                self.flat.law, self.section.bending, space.derivatives(self._prescribed)
-            )
-            blocks = [
-                np.zeros((len(self.assembler.entries(c == d)), *space.measure.shape))
-                for c, d in self.assembler.pairs
-            ]
-            blocks[-1] = self.section.thickness * bent
-            self._shift = self.assembler.tangent(blocks)
-        return self._shift
 
 
 def solve(planar: Planar, thickness: float, settings: Settings | None = None) -> Equilibrium:
@@ -219,8 +153,10 @@ def _wrinkled(
         tolerance=settings.tolerance,
         max_iterations=settings.max_iterations,
         first_shift=0.25 * (modes.squared[0] - thickness**2),
+        rise=_RISE,
+        ceiling=thickness * flat.energy,
     )
-    found = newton.minimise(problem, start[problem.assembler.free], solver, options)
+    found = newton.minimise(Predicting(problem), start[problem.assembler.free], solver, options)
     flat_energy = thickness * flat.energy
     clamp = flat.space.edge_dofs("clamp", ["u"])
     force = 2.0 * float(problem.reactions(found.unknowns)[0, clamp].sum()) / thickness

@@ -29,7 +29,7 @@ LAYERS = [
     {"plate", "newton"},
     {"flat"},
     {"modes", "reduced"},
-    {"planar"},
+    {"planar", "problem"},
     {"stability", "wrinkle"},
     {"branch", "inertia"},
     {"experiment", "metrics", "summary"},

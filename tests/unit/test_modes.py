@@ -8,7 +8,7 @@ from wrinklestudy.fem.linear import make_solver
 from wrinklestudy.fem.space import Space
 from wrinklestudy.material.laws import mooney_rivlin
 from wrinklestudy.mesh import Grid, MeshSettings, make_grid
-from wrinklestudy.wrinkle import PlateProblem
+from wrinklestudy.problem import PlateProblem
 
 LATEX = mooney_rivlin(6.21e4, 1.58e5).law
 

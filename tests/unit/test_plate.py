@@ -148,3 +148,23 @@ def test_membrane_is_the_plate_without_curvature(law):
 def test_refuses_an_unknown_bending_law():
     with pytest.raises(ValueError, match="bending = 'thin': must be one of thinning"):
         plate.Section(LAWS["svk"], 0.01, "thin")
+
+
+@pytest.mark.parametrize(("law", "bending"), CASES, ids=IDS)
+def test_predicted_force_and_moment_are_right_to_first_order(law, bending):
+    """Their error falls with the square of the step."""
+    section, values = plate.Section(law, 0.05, bending), state(3, 0.15)
+    step = 1e-3 * np.random.default_rng(4).standard_normal(values.shape)
+
+    def parts(at):
+        shape = plate.surface(at, bending)
+        return shape, section.derivatives(shape.metric, shape.curvature)
+
+    errors = []
+    for part in (step, 0.5 * step):
+        force, moment = plate.predict(*parts(values), part)
+        exact = parts(values + part)[1]
+        error = [force - exact.force, (moment - exact.moment) / section.thickness]
+        errors.append(np.concatenate(error).ravel())
+    norms = [np.linalg.norm(error) for error in errors]
+    assert norms[0] / norms[1] == pytest.approx(4.0, rel=0.02)

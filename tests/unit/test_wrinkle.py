@@ -7,6 +7,7 @@ from wrinklestudy import planar, wrinkle
 from wrinklestudy.fem.space import Space
 from wrinklestudy.material.laws import mooney_rivlin
 from wrinklestudy.mesh import MeshSettings, make_grid
+from wrinklestudy.problem import PlateProblem
 from wrinklestudy.store import read_h5
 
 LATEX = mooney_rivlin(6.21e4, 1.58e5)
@@ -36,7 +37,7 @@ def test_is_a_stable_equilibrium_below_the_flat_state(wrinkled):
 
 def test_the_residual_vanishes_in_an_independent_check(flat_state, wrinkled):
     """No displacement changes the energy at first order: differences in random directions."""
-    problem = wrinkle.PlateProblem(flat_state.flat, flat_state.modes, 1e-3)
+    problem = PlateProblem(flat_state.flat, flat_state.modes, 1e-3)
     free = problem.assembler.free
     point = wrinkled.position[free]
     rng = np.random.default_rng(0)
@@ -50,7 +51,7 @@ def test_the_residual_vanishes_in_an_independent_check(flat_state, wrinkled):
 def test_other_seeds_and_large_amplitudes_end_in_the_same_state(flat_state, wrinkled):
     from wrinklestudy.reduced import seed_position
 
-    problem = wrinkle.PlateProblem(flat_state.flat, flat_state.modes, 1e-3)
+    problem = PlateProblem(flat_state.flat, flat_state.modes, 1e-3)
     scale = 1e-3 / np.abs(flat_state.modes.shapes[0]).max()
     for amplitudes in (0.3 * scale * np.eye(8)[0], 8 * scale * np.eye(8)[1]):
         start = seed_position(flat_state.flat, flat_state.modes, amplitudes)

@@ -13,8 +13,8 @@ from wrinklestudy.fem.linear import multiply
 from wrinklestudy.fem.space import Space
 from wrinklestudy.flat import MembraneProblem
 from wrinklestudy.plate import Section
+from wrinklestudy.problem import PlateProblem
 from wrinklestudy.verification.problem import VALUE, Sheet, nodes
-from wrinklestudy.wrinkle import PlateProblem
 
 Array = NDArray[np.float64]
 

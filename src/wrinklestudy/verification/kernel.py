@@ -11,6 +11,7 @@ from wrinklestudy.material import laws
 from wrinklestudy.material.laws import Law
 from wrinklestudy.mesh import MeshSettings, make_grid
 from wrinklestudy.plate import BENDING_LAWS, Section
+from wrinklestudy.problem import PlateProblem
 from wrinklestudy.reduced import seed_position, seeds
 from wrinklestudy.verification.checks import Check, Group, Table, write
 from wrinklestudy.verification.consistency import (
@@ -29,7 +30,6 @@ from wrinklestudy.verification.consistency import (
     states,
 )
 from wrinklestudy.verification.problem import Sheet
-from wrinklestudy.wrinkle import PlateProblem
 
 # Laws and the principal stretches of the states; SVK has no thickness left beyond its own.
 LAWS: dict[str, tuple[Law, tuple[float, float]]] = {

@@ -9,7 +9,7 @@ from wrinklestudy.fem.assembly import Assembler
 from wrinklestudy.fem.linear import make_solver
 from wrinklestudy.fem.space import Space
 from wrinklestudy.plate import Section
-from wrinklestudy.wrinkle import PlateProblem
+from wrinklestudy.problem import PlateProblem
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -23,7 +23,7 @@ _MAX_STEPS = 12
 class Sheet(PlateProblem):
     """Energy of a sheet over its free dofs less the work of a dead load, in units of mu W^3.
 
-    Energy, residual and tangent are those of `wrinkle.PlateProblem`; only the boundary conditions
+    Energy, residual and tangent are those of `problem.PlateProblem`; only the boundary conditions
     and the load differ.
 
     Parameters

@@ -7,10 +7,11 @@ from numpy.typing import NDArray
 
 from wrinklestudy.modes import Modes, pairs
 from wrinklestudy.planar import Planar
+from wrinklestudy.problem import PlateProblem
 from wrinklestudy.reduced import seed_position
 from wrinklestudy.verification.checks import Check, Table
 from wrinklestudy.verification.sheets import amplitude, energy_below
-from wrinklestudy.wrinkle import Equilibrium, PlateProblem, Settings, _wrinkled
+from wrinklestudy.wrinkle import Equilibrium, Settings, _wrinkled
 
 Array = NDArray[np.float64]
 
