@@ -20,6 +20,7 @@ from wrinklestudy.fem.space import Space  # noqa: E402
 from wrinklestudy.material.laws import mooney_rivlin  # noqa: E402
 from wrinklestudy.mesh import MeshSettings, make_grid  # noqa: E402
 from wrinklestudy.problem import PlateProblem  # noqa: E402
+from wrinklestudy.section import SectionDerivatives  # noqa: E402
 
 LATEX = mooney_rivlin(6.21e4, 1.58e5)
 STRAIN, THICKNESS = 0.12, 1.0e-3
@@ -59,7 +60,7 @@ def timed(benchmark: Any, setup: Setup) -> Any:
     return benchmark
 
 
-def surface_of(setup: Setup) -> tuple[plate.Surface, plate.SectionDerivatives]:
+def surface_of(setup: Setup) -> tuple[plate.Surface, SectionDerivatives]:
     """Return the geometry and the section at the Gauss points."""
     position = setup.problem.position(setup.unknowns)
     shape = plate.surface(setup.planar.flat.space.derivatives(position), "thinning")

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 
-from wrinklestudy import newton, plate
+from wrinklestudy import membrane, newton
 from wrinklestudy.fem.assembly import shared_assembler
 from wrinklestudy.fem.space import Space
 from wrinklestudy.material.laws import Law
@@ -71,12 +71,12 @@ class MembraneProblem:
         gradient = space.derivatives(self.position(unknowns), 2)
         if np.any(gradient[0, 0] * gradient[1, 1] <= gradient[0, 1] * gradient[1, 0]):
             return np.inf
-        return float((plate.membrane_energy(self.law, gradient) * space.measure).sum())
+        return float((membrane.energy(self.law, gradient) * space.measure).sum())
 
     def derivatives(self, unknowns: Array) -> tuple[float, Array, sparse.csr_array]:
         """Return the energy, the residual and the upper triangle of the tangent."""
         space, assembler = self.assembler.space, self.assembler
-        density, slope, blocks = plate.membrane(
+        density, slope, blocks = membrane.expansion(
             self.law, space.derivatives(self.position(unknowns), 2)
         )
         energy = float((density * space.measure).sum())
@@ -90,7 +90,7 @@ class MembraneProblem:
     def reactions(self, unknowns: Array) -> Array:
         """Return the residual at every dof, (2, size); the reactions are at the prescribed ones."""
         tangents = self.assembler.space.derivatives(self.position(unknowns), 2)
-        slope = plate.membrane_gradient(plate.membrane_force(self.law, tangents), tangents)
+        slope = membrane.gradient(membrane.force(self.law, tangents), tangents)
         return self.assembler.residual(slope)
 
     def shift(self) -> sparse.csr_array | None:

@@ -16,6 +16,7 @@ from wrinklestudy import plate
 from wrinklestudy.fem.assembly import Assembler
 from wrinklestudy.fem.linear import make_indefinite_solver, symmetric
 from wrinklestudy.modes import deflection_matrices
+from wrinklestudy.section import Section
 from wrinklestudy.wrinkle import Equilibrium
 
 Array = NDArray[np.float64]
@@ -65,7 +66,7 @@ def _stability(
         raise ValueError("the state has no flat state")
     space, settings = planar.flat.space, planar.settings
     free = space.free(settings.parity, keeps_x, keeps_y)
-    section = plate.Section(planar.material.law, state.thickness, settings.bending)
+    section = Section(planar.material.law, state.thickness, settings.bending)
     surface = plate.surface(space.derivatives(state.position), settings.bending)
     parts = section.derivatives(surface.metric, surface.curvature)
     tangent = Assembler(space, free, 5).tangent(plate.hessian(surface, parts))

@@ -20,12 +20,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 
-from wrinklestudy import plate
+from wrinklestudy import membrane, plate
 from wrinklestudy.fem.assembly import Assembler, shared_assembler
 from wrinklestudy.fem.linear import NotPositiveDefiniteError, Solver, symmetric
 from wrinklestudy.fem.space import Parity
 from wrinklestudy.flat import Flat
-from wrinklestudy.plate import Bending
+from wrinklestudy.section import Bending
 
 Array = NDArray[np.float64]
 
@@ -244,9 +244,9 @@ def _reduced(flat: Flat, shapes: Array) -> tuple[Array, Array]:
     assembler = shared_assembler(space, space.free()[:2], 2)
     solver = assembler.solver
     tangents = space.derivatives(flat.position, 2)
-    _, _, blocks = plate.membrane(flat.law, tangents)
+    _, _, blocks = membrane.expansion(flat.law, tangents)
     solver.factorise(assembler.tangent(blocks))
-    stiffness = plate.membrane_stiffness(flat.law, tangents)
+    stiffness = membrane.stiffness(flat.law, tangents)
     slopes = space.derivatives(shapes, 2)
     strains, forces, loads = [], [], []
     for i, j in pairs(len(shapes)):
@@ -255,7 +255,7 @@ def _reduced(flat: Flat, shapes: Array) -> tuple[Array, Array]:
         mixed = 0.5 * (first[0] * second[1] + first[1] * second[0])
         strain = twice * np.stack([first[0] * second[0], first[1] * second[1], mixed])
         force = np.einsum("km...,m...->k...", stiffness, strain)
-        load = assembler.residual(plate.membrane_gradient(force, tangents))
+        load = assembler.residual(membrane.gradient(force, tangents))
         strains.append(strain.reshape(-1))
         forces.append((force * space.measure).reshape(-1))
         loads.append(load[assembler.free])

@@ -15,7 +15,7 @@ from wrinklestudy.material import laws
 from wrinklestudy.mesh import Grid, read_grid
 from wrinklestudy.modes import Modes, critical_modes
 from wrinklestudy.newton import Iteration
-from wrinklestudy.plate import Bending
+from wrinklestudy.section import Bending
 from wrinklestudy.store import read_h5, write_h5
 
 

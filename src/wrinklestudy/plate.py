@@ -1,133 +1,21 @@
 """Kirchhoff-Love plate energy with finite membrane strain: density, gradient and Hessian.
 
 The mid-surface x(X, Y) has the metric a = (x,1.x,1, x,2.x,2, x,1.x,2) and the curvature
-b = (x,11.n, x,22.n, x,12.n). Through the thickness g(zeta) = a - 2 zeta lambda3 b, and two Gauss
-points at +- t/(2 sqrt 3) give the energy per reference area
-
-    psi(a, b) = t/2 [W(g+) + W(g-)],
-
-exact to t^3. Derivatives are exact and written by hand: first in (a, b), then in x,1 x,2 x,11
-x,22 x,12.
+b = (x,11.n, x,22.n, x,12.n). The energy psi(a, b) of the cross-section with its derivatives is that
+of `section`; here they become derivatives in x,1 x,2 x,11 x,22 x,12, exact and written by hand.
 """
 
-import math
-from dataclasses import dataclass
-from typing import Literal, NamedTuple, get_args
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from wrinklestudy.material.laws import Law
+from wrinklestudy.section import Bending, Section, SectionDerivatives
 
 Array = NDArray[np.float64]
-Bending = Literal["thinning", "fixed-thickness", "fvk"]
-BENDING_LAWS: tuple[Bending, ...] = get_args(Bending)
 
 _VOIGT = ((0, 0), (1, 1), (0, 1))
-
-
-class SectionDerivatives(NamedTuple):
-    """Derivatives of the section energy psi(a, b); points are the last axes."""
-
-    force: Array  # d psi / da, (3, ...)
-    moment: Array  # d psi / db, (3, ...)
-    stretching: Array  # d2 psi / da da, (3, 3, ...)
-    coupling: Array  # d2 psi / da db, (3, 3, ...)
-    bending: Array  # d2 psi / db db, (3, 3, ...)
-
-
-@dataclass(frozen=True)
-class Section:
-    """Energy of the cross-section as a function of metric and curvature.
-
-    Parameters
-    ----------
-    law : Law
-        Dimensionless material law.
-    thickness : float
-        t in units of W.
-    bending : {'thinning', 'fixed-thickness', 'fvk'}
-        'thinning': lambda3 in the metric through the thickness follows from the law, so that the
-        bending stiffness falls as the sheet is stretched. 'fixed-thickness': lambda3 = 1 there.
-        'fvk': quadratic energy of the second derivatives of the deflection with the initial
-        modulus, as in the Foppl-von Karman equations.
-    """
-
-    law: Law
-    thickness: float
-    bending: Bending = "thinning"
-
-    def __post_init__(self) -> None:
-        if self.bending not in BENDING_LAWS:
-            raise ValueError(
-                f"bending = {self.bending!r}: must be one of {', '.join(BENDING_LAWS)}"
-            )
-
-    def _fvk_stiffness(self) -> Array:
-        """Return the constant stiffness E t^3 / 12 (1 - nu^2) = mu t^3 / 6 (1 - nu)."""
-        nu = self.law.poisson
-        stiffness = np.array([[1.0, nu, 0.0], [nu, 1.0, 0.0], [0.0, 0.0, 2.0 * (1.0 - nu)]])
-        return stiffness * self.thickness**3 / (6.0 * (1.0 - nu))
-
-    def energy(self, metric: Array, curvature: Array) -> Array:
-        """Return the energy per reference area in units of mu W, shape ``(...)``."""
-        if self.bending == "fvk":
-            flat: Array = self.thickness * self.law.energy(metric)
-            stiffness = self._fvk_stiffness()
-            return flat + 0.5 * np.einsum("i...,ij,j...->...", curvature, stiffness, curvature)
-        shift = self.thickness / math.sqrt(3.0) * curvature
-        if self.bending == "thinning":
-            shift *= self.law.thickness_stretch(metric)[0]
-        both = self.law.energy(metric - shift) + self.law.energy(metric + shift)
-        return 0.5 * self.thickness * both
-
-    def derivatives(self, metric: Array, curvature: Array) -> SectionDerivatives:
-        """Return the first and second derivatives of the energy with respect to a and b."""
-        if self.bending == "fvk":
-            return self._fvk_derivatives(metric, curvature)
-        lever = self.thickness / math.sqrt(3.0)  # 2 zeta of the upper Gauss point
-        weight = 0.5 * self.thickness
-        thinning = self.bending == "thinning"
-        if thinning:
-            stretch, slope, hessian = self.law.thickness_stretch(metric)
-            arm = lever * stretch
-            slope *= lever
-            hessian *= lever
-        else:
-            arm = np.full(metric.shape[1:], lever)
-        upper, upper2 = self.law.derivatives(metric - arm * curvature)
-        lower, lower2 = self.law.derivatives(metric + arm * curvature)
-        mean, jump = weight * (upper + lower), weight * (upper - lower)
-        mean2, jump2 = weight * (upper2 + lower2), weight * (upper2 - lower2)
-        bending = arm**2 * mean2
-        coupling = -arm * jump2
-        if not thinning:
-            return SectionDerivatives(mean, -arm * jump, mean2, coupling, bending)
-        # g+- = a -+ arm(a) b: every derivative with respect to a has a part along b.
-        work = np.einsum("i...,i...->...", jump, curvature)
-        jump_b = np.einsum("ij...,j...->i...", jump2, curvature)
-        mean_b = np.einsum("ij...,j...->i...", mean2, curvature)
-        work2 = np.einsum("i...,i...->...", mean_b, curvature)
-        force = mean - work * slope
-        coupling += slope[:, None] * (arm * mean_b - jump)[None, :]
-        stretching = mean2 - work * hessian
-        stretching -= jump_b[:, None] * slope[None, :] + slope[:, None] * jump_b[None, :]
-        stretching += work2 * slope[:, None] * slope[None, :]
-        return SectionDerivatives(force, -arm * jump, stretching, coupling, bending)
-
-    def _fvk_derivatives(self, metric: Array, curvature: Array) -> SectionDerivatives:
-        stress, tangent = self.law.derivatives(metric)
-        stiffness = self._fvk_stiffness()
-        moment = np.tensordot(stiffness, curvature, axes=1)
-        points = (1,) * (metric.ndim - 1)
-        bending = np.broadcast_to(stiffness.reshape(3, 3, *points), tangent.shape)
-        return SectionDerivatives(
-            self.thickness * stress,
-            moment,
-            self.thickness * tangent,
-            np.zeros_like(tangent),
-            np.ascontiguousarray(bending),
-        )
 
 
 class Surface(NamedTuple):
@@ -316,85 +204,6 @@ def _entry(
                     out += vector[i] * parts.membrane[k, b, j]
         if i == j:
             out += section.force[2] if a != b else 2.0 * section.force[a]
-
-
-def _flat_metric(derivatives: Array) -> Array:
-    p, q = derivatives
-    return np.stack([(p * p).sum(axis=0), (q * q).sum(axis=0), (p * q).sum(axis=0)])
-
-
-def membrane_energy(law: Law, derivatives: Array) -> Array:
-    """Return W(a) of a flat sheet from x,1 and x,2 of the in-plane position, (2, 2, ...)."""
-    return law.energy(_flat_metric(derivatives))
-
-
-def membrane_force(law: Law, derivatives: Array) -> Array:
-    """Return dW/da of a flat sheet, (3, ...)."""
-    return law.derivatives(_flat_metric(derivatives))[0]
-
-
-def membrane_stiffness(law: Law, derivatives: Array) -> Array:
-    """Return d2W/da2 of a flat sheet, (3, 3, ...)."""
-    return law.derivatives(_flat_metric(derivatives))[1]
-
-
-def membrane_gradient(force: Array, derivatives: Array) -> Array:
-    """Return the derivative of a function of the metric with respect to x,1 and x,2.
-
-    Parameters
-    ----------
-    force : (3, ...) array
-        Its derivative with respect to the metric.
-    derivatives : (2, 2, ...) array
-        x,1 and x,2 of the in-plane position.
-    """
-    p, q = derivatives
-    return np.stack([2.0 * force[0] * p + force[2] * q, 2.0 * force[1] * q + force[2] * p])
-
-
-def membrane(law: Law, derivatives: Array) -> tuple[Array, Array, list[Array]]:
-    """Return energy, gradient and Hessian of a flat sheet for each unit of thickness.
-
-    Parameters
-    ----------
-    law : Law
-        Dimensionless material law.
-    derivatives : (2, 2, ...) array
-        x,1 and x,2 of the in-plane position.
-
-    Returns
-    -------
-    energy : (...) array
-        W(a).
-    gradient : (2, 2, ...) array
-    hessian : list of arrays
-        Pairs of components (0,0) (0,1) (1,1) with 3, 4 and 3 rows.
-    """
-    p, q = derivatives
-    metric = _flat_metric(derivatives)
-    force, stretching = law.derivatives(metric)
-    parts = ((2.0 * p, None), (None, 2.0 * q), (q, p))  # of da with respect to x,1 and x,2
-    stiff = np.zeros((3, 2, *p.shape))
-    for k in range(3):
-        for m, directions in enumerate(parts):
-            for c, vector in enumerate(directions):
-                if vector is not None:
-                    stiff[k, c] += stretching[k, m] * vector
-    blocks = []
-    for i, j in ((0, 0), (0, 1), (1, 1)):
-        rows = []
-        entries = [(a, b) for a in range(2) for b in range(a if i == j else 0, 2)]
-        for a, b in entries:
-            entry = np.zeros(p.shape[1:])
-            for k in range(3):
-                vector = parts[k][a]
-                if vector is not None:
-                    entry += vector[i] * stiff[k, b, j]
-            if i == j:
-                entry += force[2] if a != b else 2.0 * force[a]
-            rows.append(entry)
-        blocks.append(np.stack(rows))
-    return law.energy(metric), membrane_gradient(force, derivatives), blocks
 
 
 def deflection(law: Law, bending: Bending, derivatives: Array) -> tuple[Array, Array]:

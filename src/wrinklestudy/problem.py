@@ -8,6 +8,7 @@ from wrinklestudy import plate
 from wrinklestudy.fem.assembly import shared_assembler
 from wrinklestudy.flat import Flat
 from wrinklestudy.modes import Modes
+from wrinklestudy.section import Section, SectionDerivatives
 
 Array = NDArray[np.float64]
 
@@ -18,7 +19,7 @@ class PlateProblem:
     def __init__(self, flat: Flat, modes: Modes, thickness: float) -> None:
         self.flat = flat
         self.modes = modes
-        self.section = plate.Section(flat.law, thickness, modes.bending)
+        self.section = Section(flat.law, thickness, modes.bending)
         self.assembler = shared_assembler(flat.space, flat.space.free(modes.parity))
         self._shift: sparse.csr_array | None = None
         self._prescribed = np.zeros((3, flat.space.size))
@@ -47,7 +48,7 @@ class PlateProblem:
         surface, section = self.section_at(self.position(unknowns))
         return self.assemble(surface, section, section)
 
-    def section_at(self, position: Array) -> tuple[plate.Surface, plate.SectionDerivatives]:
+    def section_at(self, position: Array) -> tuple[plate.Surface, SectionDerivatives]:
         """Return geometry, force, moment and their slopes at the Gauss points."""
         derivatives = self.assembler.space.derivatives(position)
         surface = plate.surface(derivatives, self.section.bending)
@@ -56,8 +57,8 @@ class PlateProblem:
     def assemble(
         self,
         surface: plate.Surface,
-        section: plate.SectionDerivatives,
-        of_tangent: plate.SectionDerivatives,
+        section: SectionDerivatives,
+        of_tangent: SectionDerivatives,
     ) -> tuple[float, Array, sparse.csr_array]:
         """Return energy, residual and tangent, the latter from a section of its own."""
         assembler = self.assembler
@@ -111,7 +112,7 @@ class Predicting:
     def __init__(self, problem: PlateProblem) -> None:
         self.problem = problem
         self.energy, self.residual, self.shift = problem.energy, problem.residual, problem.shift
-        self._last: tuple[Array, plate.Surface, plate.SectionDerivatives] | None = None
+        self._last: tuple[Array, plate.Surface, SectionDerivatives] | None = None
 
     def derivatives(self, unknowns: Array) -> tuple[float, Array, sparse.csr_array]:
         """Return the energy, the residual and the upper triangle of the predicted tangent."""

@@ -11,7 +11,7 @@ from wrinklestudy.fem.space import Parity, Space
 from wrinklestudy.material.laws import Material
 from wrinklestudy.mesh import MeshSettings, make_grid
 from wrinklestudy.metrics import Measures, measure_position
-from wrinklestudy.plate import BENDING_LAWS, Bending
+from wrinklestudy.section import BENDING_LAWS, Bending
 
 PARITIES = ("antisymmetric", "symmetric")
 

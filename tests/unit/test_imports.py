@@ -26,6 +26,7 @@ LAYERS = [
     },
     {"mesh"},
     {"fem"},
+    {"section", "membrane"},
     {"plate", "newton"},
     {"flat"},
     {"modes", "reduced"},

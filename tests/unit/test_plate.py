@@ -6,16 +6,17 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from wrinklestudy import plate
+from wrinklestudy import membrane, plate
 from wrinklestudy.material.laws import mooney_rivlin, neo_hookean, saint_venant_kirchhoff
+from wrinklestudy.section import BENDING_LAWS, Section
 
 LAWS = {
     "mooney-rivlin": mooney_rivlin(6.21e4, 1.58e5).law,
     "neo-hookean": neo_hookean(1.0).law,
     "svk": saint_venant_kirchhoff(1.0, 0.4).law,
 }
-CASES = [(law, bending) for law in LAWS.values() for bending in plate.BENDING_LAWS]
-IDS = [f"{law}-{bending}" for law in LAWS for bending in plate.BENDING_LAWS]
+CASES = [(law, bending) for law in LAWS.values() for bending in BENDING_LAWS]
+IDS = [f"{law}-{bending}" for law in LAWS for bending in BENDING_LAWS]
 
 
 def state(seed, size=0.25):
@@ -47,7 +48,7 @@ def difference(function, values, step=1e-3):
 @given(seed=st.integers(0, 10**6))
 @settings(max_examples=5, deadline=None)
 def test_gradient_is_the_derivative_of_the_energy(law, bending, seed):
-    section, values = plate.Section(law, 0.05, bending), state(seed, 0.15)
+    section, values = Section(law, 0.05, bending), state(seed, 0.15)
     expected = difference(lambda x: plate.energy(section, x), values).reshape(5, 3, 1)
     found = gradient(section, values)
     assert np.allclose(found, expected, atol=1e-10, rtol=1e-8)
@@ -57,7 +58,7 @@ def test_gradient_is_the_derivative_of_the_energy(law, bending, seed):
 @given(seed=st.integers(0, 10**6))
 @settings(max_examples=5, deadline=None)
 def test_hessian_is_the_derivative_of_the_gradient(law, bending, seed):
-    section, values = plate.Section(law, 0.05, bending), state(seed, 0.15)
+    section, values = Section(law, 0.05, bending), state(seed, 0.15)
     expected = difference(lambda x: gradient(section, x), values).reshape(5, 3, 5, 3)
     surface = plate.surface(values, bending)
     blocks = plate.hessian(surface, section.derivatives(surface.metric, surface.curvature))
@@ -73,27 +74,27 @@ def test_hessian_is_the_derivative_of_the_gradient(law, bending, seed):
 @pytest.mark.parametrize("bending", ["thinning", "fixed-thickness"])
 def test_energy_does_not_change_with_rotation(law, bending):
     """A rotation of space turns x,a and x,ab; fvk is left out: it is tied to the direction z."""
-    section, values = plate.Section(law, 0.05, bending), state(7)
+    section, values = Section(law, 0.05, bending), state(7)
     turned = np.einsum("ij,ajp->aip", Rotation.random(rng=8).as_matrix(), values)
     assert plate.energy(section, turned) == pytest.approx(plate.energy(section, values), rel=1e-13)
 
 
-@pytest.mark.parametrize("bending", plate.BENDING_LAWS)
+@pytest.mark.parametrize("bending", BENDING_LAWS)
 def test_flat_undeformed_sheet_has_no_energy_and_no_forces(bending):
     values = np.zeros((5, 3, 1))
     values[0, 0] = values[1, 1] = 1.0
     for law in LAWS.values():
-        section = plate.Section(law, 0.05, bending)
+        section = Section(law, 0.05, bending)
         assert plate.energy(section, values) == pytest.approx(0.0, abs=1e-17)
         assert np.allclose(gradient(section, values), 0.0, atol=1e-17)
 
 
-@pytest.mark.parametrize("bending", plate.BENDING_LAWS)
+@pytest.mark.parametrize("bending", BENDING_LAWS)
 @pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
 def test_bending_stiffness_of_the_undeformed_sheet(law, bending):
     """D = E t^3 / 12 (1 - nu^2) = mu t^3 / 6 (1 - nu); Poisson's ratio couples the curvatures."""
     thickness, flat = 0.02, np.array([1.0, 1.0, 0.0])[:, None]
-    stiffness = plate.Section(law, thickness, bending).derivatives(flat, 0 * flat).bending[..., 0]
+    stiffness = Section(law, thickness, bending).derivatives(flat, 0 * flat).bending[..., 0]
     d = thickness**3 / (6 * (1 - law.poisson))
     nu = law.poisson
     expected = d * np.array([[1, nu, 0], [nu, 1, 0], [0, 0, 2 * (1 - nu)]])
@@ -110,20 +111,20 @@ def test_bending_stiffness_of_a_stretched_neo_hookean_strip(stretch):
     law, thickness = LAWS["neo-hookean"], 0.01
     metric = np.array([stretch**2, 1 / stretch, 0.0])[:, None]
     for bending, squared in (("thinning", 1 / stretch), ("fixed-thickness", 1.0)):
-        section = plate.Section(law, thickness, bending)
+        section = Section(law, thickness, bending)
         stiffness = section.derivatives(metric, 0 * metric).bending[..., 0] / (thickness**3 / 3)
         assert stiffness[1, 1] == pytest.approx(stretch * squared, rel=1e-12)
         assert stiffness[0, 0] == pytest.approx(stretch**-5 * squared, rel=1e-12)
 
 
-@pytest.mark.parametrize("bending", plate.BENDING_LAWS)
+@pytest.mark.parametrize("bending", BENDING_LAWS)
 @pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
 def test_small_deflections_of_a_flat_state(law, bending):
     """t S + t^3 B is the part of the full Hessian that belongs to the deflection."""
     values, thickness = state(11), 0.03
     values[:, 2] = 0.0
     stress, bent = plate.deflection(law, bending, values)
-    section = plate.Section(law, thickness, bending)
+    section = Section(law, thickness, bending)
     surface = plate.surface(values, bending)
     full = plate.hessian(surface, section.derivatives(surface.metric, surface.curvature))
     assert np.allclose(full[5], thickness * stress + thickness**3 * bent, rtol=1e-10, atol=1e-15)
@@ -134,10 +135,10 @@ def test_small_deflections_of_a_flat_state(law, bending):
 def test_membrane_is_the_plate_without_curvature(law):
     values, thickness = state(12), 0.03
     values[2:], values[:, 2] = 0.0, 0.0
-    section = plate.Section(law, thickness)
+    section = Section(law, thickness)
     surface = plate.surface(values, "thinning")
     full = plate.hessian(surface, section.derivatives(surface.metric, surface.curvature))
-    energy, slope, blocks = plate.membrane(law, values[:2, :2])
+    energy, slope, blocks = membrane.expansion(law, values[:2, :2])
     assert thickness * energy == pytest.approx(plate.energy(section, values), rel=1e-13)
     assert np.allclose(thickness * slope, gradient(section, values)[:2, :2], rtol=1e-12)
     rows5 = {True: [0, 1, 5], False: [0, 1, 5, 6]}  # the membrane's rows among those of the plate
@@ -147,13 +148,13 @@ def test_membrane_is_the_plate_without_curvature(law):
 
 def test_refuses_an_unknown_bending_law():
     with pytest.raises(ValueError, match="bending = 'thin': must be one of thinning"):
-        plate.Section(LAWS["svk"], 0.01, "thin")
+        Section(LAWS["svk"], 0.01, "thin")
 
 
 @pytest.mark.parametrize(("law", "bending"), CASES, ids=IDS)
 def test_predicted_force_and_moment_are_right_to_first_order(law, bending):
     """Their error falls with the square of the step."""
-    section, values = plate.Section(law, 0.05, bending), state(3, 0.15)
+    section, values = Section(law, 0.05, bending), state(3, 0.15)
     step = 1e-3 * np.random.default_rng(4).standard_normal(values.shape)
 
     def parts(at):

@@ -11,7 +11,7 @@ from wrinklestudy.fem.element import ElementQuadHermite
 from wrinklestudy.fem.space import Space
 from wrinklestudy.material.laws import Law
 from wrinklestudy.mesh import Grid
-from wrinklestudy.plate import Bending, Section
+from wrinklestudy.section import Bending, Section
 from wrinklestudy.verification.problem import (
     SLOPE_X,
     SLOPE_Y,

@@ -8,7 +8,7 @@ from scipy.interpolate import CubicSpline
 
 from wrinklestudy.figures import style
 from wrinklestudy.material.laws import MooneyRivlin
-from wrinklestudy.plate import BENDING_LAWS, Bending
+from wrinklestudy.section import BENDING_LAWS, Bending
 from wrinklestudy.verification.checks import Check, Group, Table, write
 from wrinklestudy.verification.law_curves import (
     AMPLITUDE_MESH,

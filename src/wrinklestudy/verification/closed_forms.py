@@ -7,7 +7,7 @@ import numpy as np
 from wrinklestudy.figures import style
 from wrinklestudy.material.homogeneous import nominal_stress
 from wrinklestudy.material.laws import Material, MooneyRivlin
-from wrinklestudy.plate import BENDING_LAWS, Bending
+from wrinklestudy.section import BENDING_LAWS, Bending
 from wrinklestudy.verification import bending, stiffness, stretching
 from wrinklestudy.verification.checks import Check, Group, Table, write
 

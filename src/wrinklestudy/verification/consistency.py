@@ -8,12 +8,12 @@ from numpy.typing import NDArray
 from scipy import sparse
 from scipy.spatial.transform import Rotation
 
-from wrinklestudy import plate
+from wrinklestudy import membrane, plate
 from wrinklestudy.fem.linear import multiply
 from wrinklestudy.fem.space import Space
 from wrinklestudy.flat import MembraneProblem
-from wrinklestudy.plate import Section
 from wrinklestudy.problem import PlateProblem
+from wrinklestudy.section import Section
 from wrinklestudy.verification.problem import VALUE, Sheet, nodes
 
 Array = NDArray[np.float64]
@@ -182,7 +182,7 @@ def membrane_errors(problem: MembraneProblem, start: Array) -> tuple[float, floa
     def slope(direction: Array) -> float:
         field = problem.position(start).astype(complex)
         field[free] += 1j * _COMPLEX_STEP * direction
-        density = plate.membrane_energy(problem.law, space.derivatives(field, 2))
+        density = membrane.energy(problem.law, space.derivatives(field, 2))
         return float((density.imag * space.measure).sum()) / _COMPLEX_STEP
 
     return assembled_errors(problem.derivatives, slope, start)

@@ -16,7 +16,7 @@ from wrinklestudy.fem.space import Parity
 from wrinklestudy.material.fit import fit
 from wrinklestudy.material.laws import Material
 from wrinklestudy.mesh import MeshSettings
-from wrinklestudy.plate import Bending
+from wrinklestudy.section import Bending
 from wrinklestudy.sheet import Sheet, State
 from wrinklestudy.store import atomic_path
 from wrinklestudy.verification.sheets import LATEX, NEO_HOOKEAN, SVK, TEN_TO_ONE

@@ -10,9 +10,9 @@ from wrinklestudy.flat import MembraneProblem
 from wrinklestudy.material import laws
 from wrinklestudy.material.laws import Law
 from wrinklestudy.mesh import MeshSettings, make_grid
-from wrinklestudy.plate import BENDING_LAWS, Section
 from wrinklestudy.problem import PlateProblem
 from wrinklestudy.reduced import seed_position, seeds
+from wrinklestudy.section import BENDING_LAWS, Section
 from wrinklestudy.verification.checks import Check, Group, Table, write
 from wrinklestudy.verification.consistency import (
     CURVATURE,

@@ -9,7 +9,7 @@ from wrinklestudy import flat, modes, stability
 from wrinklestudy.fem.space import Space
 from wrinklestudy.material.laws import Material
 from wrinklestudy.planar import Settings
-from wrinklestudy.plate import BENDING_LAWS, Bending
+from wrinklestudy.section import BENDING_LAWS, Bending
 from wrinklestudy.verification.sheets import (
     LATEX,
     NEO_HOOKEAN,

@@ -12,6 +12,7 @@ from wrinklestudy.fem.linear import make_indefinite_solver
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mesh import Grid
 from wrinklestudy.planar import Settings
+from wrinklestudy.section import Section
 from wrinklestudy.verification.checks import Check
 from wrinklestudy.verification.sheets import (
     LATEX,
@@ -56,7 +57,7 @@ def whole_sheet_inertia(state: Equilibrium) -> int:
         free[:2, whole.edge_dofs(edge, ["u", "u_y"])] = False
         free[2, whole.edge_dofs(edge, ["u", "u_x", "u_y", "u_xy"])] = False
     bending = state.planar.settings.bending
-    section = plate.Section(state.planar.material.law, state.thickness, bending)
+    section = Section(state.planar.material.law, state.thickness, bending)
     surface = plate.surface(whole.derivatives(whole.field_from_nodes(nodes)), bending)
     derivatives = section.derivatives(surface.metric, surface.curvature)
     solver = make_indefinite_solver()

@@ -119,7 +119,7 @@ MUTATIONS = (
     Mutation(
         "independent",
         "arm of the upper and lower Gauss point t/2 instead of t/(2 sqrt 3)",
-        "plate.py",
+        "section.py",
         "shift = self.thickness / math.sqrt(3.0) * curvature",
         "shift = self.thickness * curvature",
     ),
@@ -154,7 +154,7 @@ MUTATIONS = (
     Mutation(
         "bending_laws",
         "lambda3 to the first power in the bending stiffness",
-        "plate.py",
+        "section.py",
         "bending = arm**2 * mean2",
         "bending = arm * lever * mean2",
     ),

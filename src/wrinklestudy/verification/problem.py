@@ -8,8 +8,8 @@ from wrinklestudy import newton
 from wrinklestudy.fem.assembly import Assembler
 from wrinklestudy.fem.linear import make_solver
 from wrinklestudy.fem.space import Space
-from wrinklestudy.plate import Section
 from wrinklestudy.problem import PlateProblem
+from wrinklestudy.section import Section
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -29,7 +29,7 @@ class Sheet(PlateProblem):
     Parameters
     ----------
     space : Space
-    section : plate.Section
+    section : section.Section
     free : (3, size) array of bool
         The unknowns.
     position : (3, size) array

@@ -18,6 +18,7 @@ from wrinklestudy.mesh import MeshSettings, make_grid
 from wrinklestudy.metrics import measure_position
 from wrinklestudy.modes import critical_modes, deflection_matrices
 from wrinklestudy.planar import Planar, Settings
+from wrinklestudy.section import Section
 from wrinklestudy.wrinkle import Equilibrium, solve
 
 Array = NDArray[np.float64]
@@ -123,7 +124,7 @@ def energy_below(state: Equilibrium, reference: Equilibrium | None = None) -> fl
     other[:2] = known.position
     if reference is not None:
         other = parts(reference).position
-    section = plate.Section(known.law, state.thickness, state.planar.settings.bending)
+    section = Section(known.law, state.thickness, state.planar.settings.bending)
     above, below = (plate.energy(section, space.derivatives(p)) for p in (other, position))
     return float(((above - below) * space.measure).sum())
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.optimize import brentq
 
-from wrinklestudy import flat, newton, plate
+from wrinklestudy import flat, membrane, newton
 from wrinklestudy.fem.space import Space
 from wrinklestudy.material.laws import mooney_rivlin
 from wrinklestudy.mesh import Grid, make_grid
@@ -54,7 +54,7 @@ def peak_density(space: Space, strain: float) -> tuple[float, float]:
     # at small strain the energy W(a) of cancelling terms is not known to more digits
     state = flat.solve(space, MATERIAL.law, strain, newton.Options(tolerance=1e-14))
     gradient = space.derivatives(state.position, 2)
-    density = plate.membrane_energy(MATERIAL.law, gradient)
+    density = membrane.energy(MATERIAL.law, gradient)
     return float(np.diff(space.grid.y)[-1]), float(density.max())
 
 

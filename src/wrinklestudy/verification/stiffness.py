@@ -8,7 +8,7 @@ from wrinklestudy.fem.linear import multiply
 from wrinklestudy.fem.space import Space
 from wrinklestudy.material.laws import Law, MooneyRivlin, SaintVenantKirchhoff
 from wrinklestudy.mesh import Grid
-from wrinklestudy.plate import Bending, Section
+from wrinklestudy.section import Bending, Section
 from wrinklestudy.verification.problem import SLOPE_X, SLOPE_Y, VALUE, Sheet, affine, nodes
 from wrinklestudy.verification.stretching import exact
 

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from wrinklestudy.material.laws import Law, MooneyRivlin, SaintVenantKirchhoff
-from wrinklestudy.plate import Bending, Section
+from wrinklestudy.section import Bending, Section
 
 Array = NDArray[np.float64]
 

@@ -10,7 +10,7 @@ from wrinklestudy.fem.space import Space
 from wrinklestudy.material import laws
 from wrinklestudy.material.laws import Law, MooneyRivlin, SaintVenantKirchhoff
 from wrinklestudy.mesh import MeshSettings, make_grid
-from wrinklestudy.plate import Section
+from wrinklestudy.section import Section
 from wrinklestudy.verification.problem import VALUE, Sheet, affine, held, nodes
 
 Array = NDArray[np.float64]
