@@ -48,11 +48,14 @@ test: $(READY) ## run the tests, with the quick study as one of them
 verify: $(READY) ## compute the evidence that the numbers are right: docs/verification.md
 	$(SNAKEMAKE) --snakefile verification/Snakefile
 
-bench: $(READY) ## time the parts of the solver on four meshes (10 minutes): docs/performance.md
+bench: $(READY) ## time the solver and the whole study (half an hour): docs/performance.md
 	@mkdir -p results/bench
 	$(ONE_THREAD) $(BIN)/python -m pytest benchmarks/bench_solver.py -p no:xdist \
 		--override-ini addopts= --benchmark-json results/bench/solver.json
-	$(BIN)/python benchmarks/report.py results/bench/solver.json docs/performance.md
+	$(BIN)/python benchmarks/bench_study.py results/bench/study.json
+	$(BIN)/python benchmarks/bench_mesh.py results/bench/mesh.json
+	$(BIN)/python benchmarks/bench_thin.py results/bench/thin.json
+	$(BIN)/python benchmarks/report.py results/bench docs/performance.md
 
 lint: $(READY) ## check style, types and workflow
 	$(BIN)/ruff check .

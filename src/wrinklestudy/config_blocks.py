@@ -118,7 +118,7 @@ class Solver(Block):
         default=1e-22, description="Newton decrement over energy at which a state has converged"
     )
     max_iterations: Annotated[int, count(1, 10000)] = Field(
-        default=60, description="Newton iterations from each seed"
+        default=200, description="Newton iterations from each seed"
     )
     seeds: Annotated[int, count(1, 50)] = Field(
         default=1, description="starting points of each wrinkled state; the lowest energy is kept"

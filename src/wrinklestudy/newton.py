@@ -1,8 +1,8 @@
 """Safeguarded Newton minimisation of an energy.
 
 Plain Newton steps near the minimum; away from it the tangent is shifted until it is positive
-definite and the step is shortened until the energy falls. The factorisation tells which of the two
-it is.
+definite and its full step is acceptable, as in Levenberg's and Marquardt's method. The
+factorisation tells whether it is definite.
 """
 
 from dataclasses import dataclass
@@ -119,7 +119,7 @@ _QUASI_GAIN = 10.0
 
 
 def minimise(problem: Problem, start: Array, solver: Solver, options: Options) -> Minimum:
-    """Minimise an energy from a start, by Newton's method with shifts and a line search.
+    """Minimise an energy from a start, by Newton's method with shifts of the tangent.
 
     A minimum is accepted only where the unshifted tangent is positive definite.
 
@@ -139,7 +139,7 @@ def minimise(problem: Problem, start: Array, solver: Solver, options: Options) -
     Minimum
         With `reason` set where it did not converge; nothing is raised for that.
     """
-    unknowns, shift = start.copy(), 0.0
+    unknowns, shift, guess = start.copy(), 0.0, options.first_shift
     history: list[Iteration] = []
     energy, tangent, reason = np.inf, None, f"no convergence in {options.max_iterations} iterations"
     for _ in range(options.max_iterations):
@@ -147,28 +147,24 @@ def minimise(problem: Problem, start: Array, solver: Solver, options: Options) -
         if not np.isfinite(energy):
             reason = "the energy is not finite"
             break
-        factor_shift = _factorise(problem, tangent, solver, shift, options.first_shift)
-        if factor_shift is None:
-            reason = "the tangent stays indefinite under every shift"
+        step = _step(
+            problem, unknowns, (energy, residual, tangent), solver, (shift, guess), options
+        )
+        if isinstance(step, str):
+            reason = step
             break
-        shift = factor_shift
-        direction = -solver.solve(residual)
-        decrement = -float(residual @ direction)
+        shift = step.shift
+        guess = shift / 8.0 if shift > 0.0 else guess
         scaled = float(np.abs(residual / np.sqrt(np.abs(tangent.diagonal()))).max())
-        allowed = max(min(options.rise * decrement, options.ceiling - energy), 0.0)
-        step, gain = _line_search(problem, unknowns, energy, direction, decrement, allowed)
-        history.append(Iteration(energy, scaled, decrement, step, shift, 1.0))
-        if shift == 0.0 and 0.0 <= decrement <= options.tolerance * abs(energy):
+        history.append(Iteration(energy, scaled, step.decrement, step.length, shift, 1.0))
+        if shift == 0.0 and 0.0 <= step.decrement <= options.tolerance * abs(energy):
             reason = ""
             break
-        if step == 0.0:
-            reason = "the line search found no lower energy"
-            break
-        unknowns = unknowns + step * direction
-        energy += gain
-        if shift == 0.0 and step == 1.0 and decrement <= _QUASI_DECREMENT * abs(energy):
+        unknowns = unknowns + step.length * step.direction
+        energy += step.gain
+        if shift == 0.0 and step.length == 1.0 and step.decrement <= _QUASI_DECREMENT * abs(energy):
             unknowns, done = _finish(
-                problem, unknowns, solver, options, history, (residual, direction)
+                problem, unknowns, solver, options, history, (residual, step.direction)
             )
             if done:
                 reason = ""
@@ -176,6 +172,65 @@ def minimise(problem: Problem, start: Array, solver: Solver, options: Options) -
                 break
         shift = 0.0 if shift < 1e-3 * options.first_shift else shift / 8.0
     return Minimum(unknowns, energy, tangent, tuple(history), reason)
+
+
+class _Step(NamedTuple):
+    """A step that was accepted: length times direction, and the change of energy."""
+
+    direction: Array
+    decrement: float
+    length: float
+    shift: float
+    gain: float
+
+
+def _step(
+    problem: Problem,
+    unknowns: Array,
+    derivatives: tuple[float, Array, sparse.csr_array],
+    solver: Solver,
+    shifts: tuple[float, float],
+    options: Options,
+) -> _Step | str:
+    """Return a step that lowers the energy enough, or why there is none.
+
+    The shift grows until the tangent is definite and the full step is acceptable; where the problem
+    has no matrix for shifts the step is halved instead.
+
+    Parameters
+    ----------
+    derivatives : (energy, residual, tangent)
+    shifts : (shift, guess)
+        The shift to begin with, and the least positive one.
+    """
+    (energy, residual, tangent), (shift, guess) = derivatives, shifts
+    failed = "the tangent stays indefinite under every shift"
+    for _ in range(_MAX_SHIFTS):
+        try:
+            solver.factorise(tangent if shift == 0.0 else _shifted(problem, tangent, shift))
+        except NotPositiveDefiniteError:
+            if problem.shift() is None:
+                return failed
+            shift = max(4.0 * shift, guess)
+            continue
+        direction = -solver.solve(residual)
+        decrement = -float(residual @ direction)
+        allowed = max(min(options.rise * decrement, options.ceiling - energy), 0.0)
+        allowed += 1e-14 * abs(energy)
+        if decrement <= 1e-14 * abs(energy):  # the energy cannot tell: a step of plain Newton
+            return _Step(direction, decrement, 1.0, shift, 0.0)
+        for halvings in range(_MAX_HALVINGS):
+            length = 0.5**halvings
+            change = problem.energy(unknowns + length * direction) - energy
+            if change <= allowed - _ARMIJO * length * decrement:
+                return _Step(direction, decrement, length, shift, change)
+            if problem.shift() is not None:
+                break
+        failed = "no step lowers the energy"
+        if problem.shift() is None:
+            break
+        shift = max(4.0 * shift, guess)
+    return failed
 
 
 def _finish(
@@ -225,49 +280,9 @@ def _inverse_times(vector: Array, pairs: list[tuple[Array, Array]], solver: Solv
     return result
 
 
-def _factorise(
-    problem: Problem, tangent: sparse.csr_array, solver: Solver, shift: float, first: float
-) -> float | None:
-    """Factorise tangent + shift M with the smallest tried shift that makes it definite."""
-    for _ in range(_MAX_SHIFTS):
-        try:
-            solver.factorise(tangent if shift == 0.0 else _shifted(problem, tangent, shift))
-        except NotPositiveDefiniteError:
-            if problem.shift() is None:
-                return None
-            shift = first if shift == 0.0 else 4.0 * shift
-            continue
-        return shift
-    return None
-
-
 def _shifted(problem: Problem, tangent: sparse.csr_array, shift: float) -> sparse.csr_array:
     matrix = problem.shift()
     if matrix is None:
         raise ValueError("this problem has no matrix for shifts")
     data = tangent.data + shift * matrix.data
     return sparse.csr_array((data, tangent.indices, tangent.indptr), shape=tangent.shape)
-
-
-def _line_search(
-    problem: Problem,
-    unknowns: Array,
-    energy: float,
-    direction: Array,
-    decrement: float,
-    allowed: float,
-) -> tuple[float, float]:
-    """Halve the step until the energy falls enough; return the step and the change of energy.
-
-    It may be higher than that by `allowed`.
-    """
-    rounding = 1e-14 * abs(energy)
-    if decrement <= rounding:  # the energy cannot tell: a step of plain Newton
-        return 1.0, 0.0
-    step = 1.0
-    for _ in range(_MAX_HALVINGS):
-        change = problem.energy(unknowns + step * direction) - energy
-        if change <= allowed - _ARMIJO * step * decrement + rounding:
-            return step, change
-        step /= 2.0
-    return 0.0, 0.0

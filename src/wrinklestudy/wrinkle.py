@@ -46,7 +46,7 @@ class Settings:
     """
 
     tolerance: float = 1.0e-22
-    max_iterations: int = 60
+    max_iterations: int = 200
     seeds: int = 1
 
 
@@ -152,7 +152,7 @@ def _wrinkled(
     options = newton.Options(
         tolerance=settings.tolerance,
         max_iterations=settings.max_iterations,
-        first_shift=0.25 * (modes.squared[0] - thickness**2),
+        first_shift=min(thickness**2, 0.25 * (modes.squared[0] - thickness**2)),
         rise=_RISE,
         ceiling=thickness * flat.energy,
     )
