@@ -45,13 +45,16 @@ class PlateProblem:
 
     def derivatives(self, unknowns: Array) -> tuple[float, Array, sparse.csr_array]:
         """Return the energy, the residual and the upper triangle of the tangent."""
-        surface, section = self.section_at(self.position(unknowns))
+        surface, section = self.section_at(self.gradients(unknowns))
         return self.assemble(surface, section, section)
 
-    def section_at(self, position: Array) -> tuple[plate.Surface, SectionDerivatives]:
+    def gradients(self, unknowns: Array) -> Array:
+        """Return x,1 x,2 x,11 x,22 x,12 at the Gauss points."""
+        return self.assembler.space.derivatives(self.position(unknowns))
+
+    def section_at(self, gradients: Array) -> tuple[plate.Surface, SectionDerivatives]:
         """Return geometry, force, moment and their slopes at the Gauss points."""
-        derivatives = self.assembler.space.derivatives(position)
-        surface = plate.surface(derivatives, self.section.bending)
+        surface = plate.surface(gradients, self.section.bending)
         return surface, self.section.derivatives(surface.metric, surface.curvature)
 
     def assemble(
@@ -73,7 +76,7 @@ class PlateProblem:
 
     def reactions(self, unknowns: Array) -> Array:
         """Return the residual at every dof, (3, size); the reactions are at the prescribed ones."""
-        return self.assembler.residual(plate.gradient(*self.section_at(self.position(unknowns))))
+        return self.assembler.residual(plate.gradient(*self.section_at(self.gradients(unknowns))))
 
     def shift(self) -> sparse.csr_array:
         """Return t B on the deflection: it lifts all modes of the flat state by the same amount."""
@@ -116,13 +119,12 @@ class Predicting:
 
     def derivatives(self, unknowns: Array) -> tuple[float, Array, sparse.csr_array]:
         """Return the energy, the residual and the upper triangle of the predicted tangent."""
-        position = self.problem.position(unknowns)
-        surface, section = self.problem.section_at(position)
+        gradients = self.problem.gradients(unknowns)
+        surface, section = self.problem.section_at(gradients)
         predicted = section
         if self._last is not None:
             before, shape, known = self._last
-            step = self.problem.assembler.space.derivatives(position - before)
-            force, moment = plate.predict(shape, known, step)
+            force, moment = plate.predict(shape, known, gradients - before)
             predicted = section._replace(force=force, moment=moment)
-        self._last = position, surface, section
+        self._last = gradients, surface, section
         return self.problem.assemble(surface, section, predicted)
