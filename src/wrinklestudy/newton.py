@@ -1,8 +1,8 @@
 """Safeguarded Newton minimisation of an energy.
 
 Plain Newton steps near the minimum; away from it the tangent is shifted until it is positive
-definite and its full step is acceptable, as in Levenberg's and Marquardt's method. The
-factorisation tells whether it is definite.
+definite and the energy falls, by a shorter step or, as in Levenberg's and Marquardt's method, by a
+larger shift. The factorisation tells whether it is definite.
 """
 
 from dataclasses import dataclass
@@ -57,7 +57,8 @@ class Options:
     first_shift : float
         First shift that is tried when the tangent is not positive definite.
     rise : float
-        How far a step may raise the energy, in units of the decrement: 0 for a descent.
+        How far a step may raise the energy, in units of the decrement; such a step is shortened
+        by shifts. 0 for a descent along straight lines.
     ceiling : float
         Energy that a step may not rise to.
     """
@@ -194,8 +195,9 @@ def _step(
 ) -> _Step | str:
     """Return a step that lowers the energy enough, or why there is none.
 
-    The shift grows until the tangent is definite and the full step is acceptable; where the problem
-    has no matrix for shifts the step is halved instead.
+    The shift grows until the tangent is definite. If the full step is not acceptable, the step is
+    halved, or the shift grows further where steps may rise: a curved valley leaves no room for long
+    straight steps.
 
     Parameters
     ----------
@@ -224,10 +226,10 @@ def _step(
             change = problem.energy(unknowns + length * direction) - energy
             if change <= allowed - _ARMIJO * length * decrement:
                 return _Step(direction, decrement, length, shift, change)
-            if problem.shift() is not None:
+            if options.rise > 0.0:
                 break
         failed = "no step lowers the energy"
-        if problem.shift() is None:
+        if options.rise == 0.0 or problem.shift() is None:
             break
         shift = max(4.0 * shift, guess)
     return failed
