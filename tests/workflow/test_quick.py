@@ -83,7 +83,7 @@ def statuses(study):
 
 def test_the_gate_fails_the_run_when_a_case_has_not_converged(study):
     needed = max(iterations for _, iterations in statuses(study))
-    study.edit("config.yaml", "max_iterations: 60", f"max_iterations: {needed - 1}")
+    study.edit("config.yaml", "max_iterations: 200", f"max_iterations: {needed - 1}")
     study.edit("config/quick.yaml", "figures:\n  comp", "figures:\n  names: [fig07_width]\n  comp")
     run = study.snakemake("--quiet", "all")
     failed = sum(status == "not-converged" for status, _ in statuses(study))

@@ -151,7 +151,7 @@ def test_a_finer_spelling_of_the_same_number_runs_nothing(study):
 @pytest.mark.parametrize(
     ("old", "new", "first"),
     [
-        ("max_iterations: 60", "max_iterations: 50", {"wrinkle"}),
+        ("max_iterations: 200", "max_iterations: 50", {"wrinkle"}),
         ("modes: 8", "modes: 7", {"planar", "stability"}),
         ("grading: 1.5", "grading: 1.4", {"mesh"}),
         ("allow_not_converged: 0", "allow_not_converged: 1", {"gate"}),

@@ -81,7 +81,7 @@ def test_a_whole_folder_comes_back_in_one_run(worn):
 
 def test_a_lost_file_does_not_hide_that_there_is_more_to_do(study):
     (study.folder / LOST[2]).unlink()
-    study.edit("config.yaml", "max_iterations: 60", "max_iterations: 50")
+    study.edit("config.yaml", "max_iterations: 200", "max_iterations: 50")
     ran = {job.rule for job in study.planned()}
     assert ran >= {"planar", "wrinkle", "metrics", "summary", "claims", "figures", "gate"}
 
