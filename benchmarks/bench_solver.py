@@ -68,8 +68,7 @@ def rounds(setup: Setup) -> int:
 def surface_of(setup: Setup) -> tuple[plate.Surface, SectionDerivatives]:
     """Return the geometry and the section at the Gauss points."""
     position = setup.problem.position(setup.unknowns)
-    shape = plate.surface(setup.planar.flat.space.derivatives(position), "thinning")
-    return shape, setup.problem.section.derivatives(shape.metric, shape.curvature)
+    return plate.respond(setup.problem.section, setup.planar.flat.space.derivatives(position))
 
 
 def test_point_kernel(timed: Any, setup: Setup) -> None:

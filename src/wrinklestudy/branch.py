@@ -154,6 +154,23 @@ class _Tracer:
                 return unknowns, strain, iteration, self.solver.negative
         return None
 
+    def advance(
+        self, last: tuple[Array, float], along: tuple[Array, float], step: float
+    ) -> tuple[tuple[Array, float, int, int] | None, float]:
+        """Return the next point, None if every step failed, and the step that led to it."""
+        while step >= self.options.smallest_step:
+            guess = (last[0] + step * along[0], last[1] + step * along[1])
+            if found := self.correct(guess, along):
+                return found, step
+            step /= 2.0
+        return None, step
+
+    def secant(self, last: tuple[Array, float], now: tuple[Array, float]) -> tuple[Array, float]:
+        """Return the unit direction from one point to the next."""
+        ahead = (now[0] - last[0], now[1] - last[1])
+        size = np.sqrt(self.product(ahead, ahead))
+        return ahead[0] / size, ahead[1] / size
+
     def point(self, unknowns: Array, strain: float, iterations: int, unstable: int) -> Point:
         """Return the row of the table."""
         deflection = unknowns[self.deflections]
@@ -192,23 +209,17 @@ def trace(
     unknowns, strain = start.position[tracer.free], start.planar.strain
     first = unknowns[tracer.deflections]
     along = tracer.tangent(unknowns, strain, (np.zeros_like(unknowns), 1.0 if upward else -1.0))
-    points = [tracer.point(unknowns, strain, 0, tracer.solver.negative)]
+    row = tracer.point(unknowns, strain, 0, tracer.solver.negative)
+    points = [row._replace(amplitude=abs(row.amplitude))]
     positions, step = [start.position], options.step
     reason = f"{options.max_points} points"
     while len(points) < options.max_points:
-        guess = (unknowns + step * along[0], strain + step * along[1])
-        found = tracer.correct(guess, along)
+        found, step = tracer.advance((unknowns, strain), along, step)
         if found is None:
-            step /= 2.0
-            if step < options.smallest_step:
-                reason = "the step became too small"
-                break
-            continue
-        before = (unknowns, strain)
+            reason = "the step became too small"
+            break
+        along = tracer.secant((unknowns, strain), found[:2])
         unknowns, strain, iterations, unstable = found
-        secant = (unknowns - before[0], strain - before[1])
-        size = np.sqrt(tracer.product(secant, secant))
-        along = (secant[0] / size, secant[1] / size)
         row = tracer.point(unknowns, strain, iterations, unstable)
         sign = np.sign(float(unknowns[tracer.deflections] @ first))
         points.append(row._replace(amplitude=sign * abs(row.amplitude)))
@@ -220,16 +231,15 @@ def trace(
             reason = "end of the range of strains"
             break
         step = min(options.largest_step, step * (1.5 if iterations <= 4 else 0.8))
-    points[0] = points[0]._replace(amplitude=abs(points[0].amplitude))
     return Branch(tuple(points), _special(points), reason, tuple(positions))
 
 
 def _special(points: list[Point]) -> tuple[tuple[str, float], ...]:
     """Return folds, the pitchfork where the amplitude vanishes, and changes of stability."""
     found: list[tuple[str, float]] = []
-    if len(points) >= 3 and points[-1].amplitude <= _ZERO:
-        found.append(("vanishing", _vanishing([p for p in points if p.amplitude > _ZERO])))
     wrinkled = [p for p in points if p.amplitude > _ZERO]
+    if len(points) >= 3 and points[-1].amplitude <= _ZERO:
+        found.append(("vanishing", _vanishing(wrinkled)))
     for k in range(1, len(wrinkled)):
         last, now = wrinkled[k - 1], wrinkled[k]
         if k >= 2 and (now.strain - last.strain) * (last.strain - wrinkled[k - 2].strain) < 0:

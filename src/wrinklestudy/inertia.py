@@ -5,7 +5,7 @@ that keep or break each of them, and the tangent does not couple the parts: the 
 the whole sheet exactly if its tangent is positive on all four.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from typing import NamedTuple
 
 import numpy as np
@@ -22,7 +22,8 @@ from wrinklestudy.wrinkle import Equilibrium
 Array = NDArray[np.float64]
 
 # (keeps the mirror x = 0, keeps the mirror y = 0)
-CLASSES = ((True, True), (True, False), (False, True), (False, False))
+Kind = tuple[bool, bool]
+CLASSES: tuple[Kind, ...] = ((True, True), (True, False), (False, True), (False, False))
 
 
 class ClassStability(NamedTuple):
@@ -34,8 +35,12 @@ class ClassStability(NamedTuple):
     softest: float  # smallest eigenvalue against t^3 B, see `classes`
 
 
-def classes(state: Equilibrium, eigenvalues: bool = True) -> list[ClassStability]:
-    """Return the stability of a state against the four classes of perturbations.
+def classes(
+    state: Equilibrium,
+    kinds: Collection[Kind] = CLASSES,
+    eigenvalues: Collection[Kind] = CLASSES,
+) -> list[ClassStability]:
+    """Return the stability of a state against classes of perturbations.
 
     The number `softest` is the smallest mu of K v = mu (t^3 B) v with the tangent K and the bending
     matrix B of the flat state, which acts on the deflection: 1 - (tau_1/t)^2 for the flat state
@@ -45,8 +50,10 @@ def classes(state: Equilibrium, eigenvalues: bool = True) -> list[ClassStability
     ----------
     state : Equilibrium
         A wrinkled state.
-    eigenvalues : bool
-        Whether to compute `softest`; NaN if not.
+    kinds : collection of (keeps_x, keeps_y)
+        The classes, all four by default.
+    eigenvalues : collection of (keeps_x, keeps_y)
+        Those for which to compute `softest`; NaN for the others.
 
     Raises
     ------
@@ -55,30 +62,25 @@ def classes(state: Equilibrium, eigenvalues: bool = True) -> list[ClassStability
     """
     if state.position is None or state.status == "not-converged":
         raise ValueError(f"status {state.status!r}: only a converged state has a stability")
-    return [_stability(state, keeps_x, keeps_y, eigenvalues) for keeps_x, keeps_y in CLASSES]
-
-
-def _stability(
-    state: Equilibrium, keeps_x: bool, keeps_y: bool, eigenvalues: bool
-) -> ClassStability:
-    planar = state.planar
-    if planar.flat is None or planar.modes is None or state.position is None:
+    flat, settings = state.planar.flat, state.planar.settings
+    if flat is None:
         raise ValueError("the state has no flat state")
-    space, settings = planar.flat.space, planar.settings
-    free = space.free(settings.parity, keeps_x, keeps_y)
-    section = Section(planar.material.law, state.thickness, settings.bending)
-    surface = plate.surface(space.derivatives(state.position), settings.bending)
-    parts = section.derivatives(surface.metric, surface.curvature)
-    tangent = Assembler(space, free, 5).tangent(plate.hessian(surface, parts))
-    solver = make_indefinite_solver()
-    solver.factorise(tangent)
-    unstable, softest = solver.negative, float("nan")
-    if eigenvalues:
-        _, bent, _, _ = deflection_matrices(
-            planar.flat, settings.bending, settings.parity, keeps_x, keeps_y
-        )
-        softest = _softest(tangent, free, state.thickness**3 * bent, solver.solve)
-    return ClassStability(keeps_x, keeps_y, unstable, softest)
+    section = Section(flat.law, state.thickness, settings.bending)
+    surface, slopes = plate.respond(section, flat.space.derivatives(state.position))
+    found = []
+    for keeps_x, keeps_y in kinds:
+        free = flat.space.free(settings.parity, keeps_x, keeps_y)
+        tangent = Assembler(flat.space, free, 5).tangent(plate.hessian(surface, slopes))
+        solver = make_indefinite_solver()
+        solver.factorise(tangent)
+        softest = float("nan")
+        if (keeps_x, keeps_y) in eigenvalues:
+            _, bent, _, _ = deflection_matrices(
+                flat, settings.bending, settings.parity, keeps_x, keeps_y
+            )
+            softest = _softest(tangent, free, state.thickness**3 * bent, solver.solve)
+        found.append(ClassStability(keeps_x, keeps_y, solver.negative, softest))
+    return found
 
 
 def _softest(

@@ -221,13 +221,11 @@ def _step(
         allowed += 1e-14 * abs(energy)
         if decrement <= 1e-14 * abs(energy):  # the energy cannot tell: a step of plain Newton
             return _Step(direction, decrement, 1.0, shift, 0.0)
-        for halvings in range(_MAX_HALVINGS):
+        for halvings in range(1 if options.rise > 0.0 else _MAX_HALVINGS):
             length = 0.5**halvings
             change = problem.energy(unknowns + length * direction) - energy
             if change <= allowed - _ARMIJO * length * decrement:
                 return _Step(direction, decrement, length, shift, change)
-            if options.rise > 0.0:
-                break
         failed = "no step lowers the energy"
         if options.rise == 0.0 or problem.shift() is None:
             break

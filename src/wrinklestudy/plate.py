@@ -62,6 +62,12 @@ def surface(derivatives: Array, bending: Bending) -> Surface:
     return Surface(first, normal, dual, metric, inverse, curvature, christoffel)
 
 
+def respond(section: Section, derivatives: Array) -> tuple[Surface, SectionDerivatives]:
+    """Return geometry, force, moment and their slopes from x,1 x,2 x,11 x,22 x,12 at points."""
+    shape = surface(derivatives, section.bending)
+    return shape, section.derivatives(shape.metric, shape.curvature)
+
+
 def energy(section: Section, derivatives: Array) -> Array:
     """Return the energy density at points from x,1 x,2 x,11 x,22 x,12 of shape (5, 3, ...)."""
     shape = surface(derivatives, section.bending)

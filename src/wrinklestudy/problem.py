@@ -45,17 +45,12 @@ class PlateProblem:
 
     def derivatives(self, unknowns: Array) -> tuple[float, Array, sparse.csr_array]:
         """Return the energy, the residual and the upper triangle of the tangent."""
-        surface, section = self.section_at(self.gradients(unknowns))
+        surface, section = plate.respond(self.section, self.gradients(unknowns))
         return self.assemble(surface, section, section)
 
     def gradients(self, unknowns: Array) -> Array:
         """Return x,1 x,2 x,11 x,22 x,12 at the Gauss points."""
         return self.assembler.space.derivatives(self.position(unknowns))
-
-    def section_at(self, gradients: Array) -> tuple[plate.Surface, SectionDerivatives]:
-        """Return geometry, force, moment and their slopes at the Gauss points."""
-        surface = plate.surface(gradients, self.section.bending)
-        return surface, self.section.derivatives(surface.metric, surface.curvature)
 
     def assemble(
         self,
@@ -76,7 +71,8 @@ class PlateProblem:
 
     def reactions(self, unknowns: Array) -> Array:
         """Return the residual at every dof, (3, size); the reactions are at the prescribed ones."""
-        return self.assembler.residual(plate.gradient(*self.section_at(self.gradients(unknowns))))
+        surface, section = plate.respond(self.section, self.gradients(unknowns))
+        return self.assembler.residual(plate.gradient(surface, section))
 
     def shift(self) -> sparse.csr_array:
         """Return t B on the deflection: it lifts all modes of the flat state by the same amount."""
@@ -120,7 +116,7 @@ class Predicting:
     def derivatives(self, unknowns: Array) -> tuple[float, Array, sparse.csr_array]:
         """Return the energy, the residual and the upper triangle of the predicted tangent."""
         gradients = self.problem.gradients(unknowns)
-        surface, section = self.problem.section_at(gradients)
+        surface, section = plate.respond(self.problem.section, gradients)
         predicted = section
         if self._last is not None:
             before, shape, known = self._last

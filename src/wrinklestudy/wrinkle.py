@@ -149,15 +149,15 @@ def _wrinkled(
     """Minimise the energy from a seed and check what was found."""
     flat, modes = problem.flat, problem.modes
     thickness, solver = problem.section.thickness, problem.assembler.solver
+    flat_energy = thickness * flat.energy
     options = newton.Options(
         tolerance=settings.tolerance,
         max_iterations=settings.max_iterations,
         first_shift=min(thickness**2, 0.25 * (modes.squared[0] - thickness**2)),
         rise=_RISE,
-        ceiling=thickness * flat.energy,
+        ceiling=flat_energy,
     )
     found = newton.minimise(Predicting(problem), start[problem.assembler.free], solver, options)
-    flat_energy = thickness * flat.energy
     clamp = flat.space.edge_dofs("clamp", ["u"])
     force = 2.0 * float(problem.reactions(found.unknowns)[0, clamp].sum()) / thickness
     reason = found.reason

@@ -28,8 +28,7 @@ def state(seed, size=0.25):
 
 
 def gradient(section, values):
-    surface = plate.surface(values, section.bending)
-    return plate.gradient(surface, section.derivatives(surface.metric, surface.curvature))
+    return plate.gradient(*plate.respond(section, values))
 
 
 def difference(function, values, step=1e-3):
@@ -60,8 +59,7 @@ def test_gradient_is_the_derivative_of_the_energy(law, bending, seed):
 def test_hessian_is_the_derivative_of_the_gradient(law, bending, seed):
     section, values = Section(law, 0.05, bending), state(seed, 0.15)
     expected = difference(lambda x: gradient(section, x), values).reshape(5, 3, 5, 3)
-    surface = plate.surface(values, bending)
-    blocks = plate.hessian(surface, section.derivatives(surface.metric, surface.curvature))
+    blocks = plate.hessian(*plate.respond(section, values))
     scale = np.abs(expected).max()
     pairs = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)]
     for (i, j), block in zip(pairs, blocks, strict=True):
@@ -125,8 +123,7 @@ def test_small_deflections_of_a_flat_state(law, bending):
     values[:, 2] = 0.0
     stress, bent = plate.deflection(law, bending, values)
     section = Section(law, thickness, bending)
-    surface = plate.surface(values, bending)
-    full = plate.hessian(surface, section.derivatives(surface.metric, surface.curvature))
+    full = plate.hessian(*plate.respond(section, values))
     assert np.allclose(full[5], thickness * stress + thickness**3 * bent, rtol=1e-10, atol=1e-15)
     assert np.allclose(full[2], 0.0, atol=1e-17)  # in-plane and deflection do not couple
 
@@ -136,8 +133,7 @@ def test_membrane_is_the_plate_without_curvature(law):
     values, thickness = state(12), 0.03
     values[2:], values[:, 2] = 0.0, 0.0
     section = Section(law, thickness)
-    surface = plate.surface(values, "thinning")
-    full = plate.hessian(surface, section.derivatives(surface.metric, surface.curvature))
+    full = plate.hessian(*plate.respond(section, values))
     energy, slope, blocks = membrane.expansion(law, values[:2, :2])
     assert thickness * energy == pytest.approx(plate.energy(section, values), rel=1e-13)
     assert np.allclose(thickness * slope, gradient(section, values)[:2, :2], rtol=1e-12)
@@ -157,14 +153,10 @@ def test_predicted_force_and_moment_are_right_to_first_order(law, bending):
     section, values = Section(law, 0.05, bending), state(3, 0.15)
     step = 1e-3 * np.random.default_rng(4).standard_normal(values.shape)
 
-    def parts(at):
-        shape = plate.surface(at, bending)
-        return shape, section.derivatives(shape.metric, shape.curvature)
-
     errors = []
     for part in (step, 0.5 * step):
-        force, moment = plate.predict(*parts(values), part)
-        exact = parts(values + part)[1]
+        force, moment = plate.predict(*plate.respond(section, values), part)
+        exact = plate.respond(section, values + part)[1]
         error = [force - exact.force, (moment - exact.moment) / section.thickness]
         errors.append(np.concatenate(error).ravel())
     norms = [np.linalg.norm(error) for error in errors]

@@ -5,9 +5,13 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Literal, get_args
 
+import numpy as np
+from numpy.typing import NDArray
+
 from wrinklestudy.claims.sheet import MissingError, Sheet
 from wrinklestudy.claims.study import Study
 
+Array = NDArray[np.float64]
 Verdict = Literal["agree", "disagree", "depends on", "not computed"]
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
 
@@ -131,6 +135,12 @@ def claim(
         return Claim(key, place, quotation, reading, tolerance, judge)
 
     return wrap
+
+
+def largest(name: str, numbers: Array, strain: Array) -> tuple[Value, Value]:
+    """Return the number of the largest size under a name, and the strain where it is."""
+    worst = int(np.argmax(np.abs(numbers)))
+    return Value(name, float(numbers[worst])), Value("at strain", float(strain[worst]))
 
 
 def verdict_of(holds: bool) -> Verdict:

@@ -93,6 +93,11 @@ class Sheet:
             raise MissingError(f"birth and decay strain in the range computed, of {self.label}")
         return self.birth, self.decay
 
+    def wrinkled_above(self, above: float = 0.0) -> NDArray[np.bool_]:
+        """Return which states beyond a strain are wrinkled."""
+        wrinkled = np.array([status == "wrinkled" for status in self.status], dtype=np.bool_)
+        return wrinkled & (self.columns["strain"] > above)
+
     def wrinkled(self, *names: str, above: float = 0.0) -> tuple[Array, ...]:
         """Return columns of the wrinkled states beyond a strain that have all of these numbers.
 
@@ -101,8 +106,7 @@ class Sheet:
         MissingError
             If there is no such state.
         """
-        rows = np.array([status == "wrinkled" for status in self.status], dtype=np.bool_)
-        return self._columns(rows & (self.columns["strain"] > above), names, "wrinkled")
+        return self._columns(self.wrinkled_above(above), names, "wrinkled")
 
     def converged(self, *names: str) -> tuple[Array, ...]:
         """Return columns of all converged states, wrinkled and flat, that have all these numbers.

@@ -209,15 +209,9 @@ def collapse(study: Study) -> Finding:
 
 def _wrinkled_beyond(study: Study) -> list[Sheet]:
     """Return the sheets of the L/W series with wrinkled states at large strain."""
-    found = []
-    for sheet in study.by("aspect").values():
-        strain = sheet.columns["strain"]
-        large = [
-            s == "wrinkled" and e > LARGE_STRAIN for s, e in zip(sheet.status, strain, strict=True)
-        ]
-        if any(large):
-            found.append(sheet)
-    return found
+    return [
+        sheet for sheet in study.by("aspect").values() if sheet.wrinkled_above(LARGE_STRAIN).any()
+    ]
 
 
 @claim(

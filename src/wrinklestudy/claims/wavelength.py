@@ -3,7 +3,7 @@
 import numpy as np
 
 from wrinklestudy import theory
-from wrinklestudy.claims.finding import Claim, Finding, Value, claim, verdict_of
+from wrinklestudy.claims.finding import Claim, Finding, Value, claim, largest, verdict_of
 from wrinklestudy.claims.sheet import MissingError
 from wrinklestudy.claims.study import Study
 from wrinklestudy.material.laws import Array
@@ -42,16 +42,16 @@ def scaled_wavelength(study: Study) -> Finding:
     strain, ratio = _against_theory(study)
     off = np.abs(theory.WAVELENGTH_FACTOR / ratio - 1.0)
     best = float(1.0 / np.mean(1.0 / ratio))
-    worst = int(np.argmax(off))
+    worst, where = largest("largest deviation", off, strain)
     return Finding(
-        verdict_of(float(off.max()) <= CLOSE),
+        verdict_of(worst.number <= CLOSE),
         (
-            Value("largest deviation", float(off.max())),
-            Value("at strain", float(strain[worst])),
+            worst,
+            where,
             Value("mean deviation", float(off.mean())),
             Value("factor that fits best", best),
         ),
-        f"The equation with 0.8 is off by up to {off.max():.1%}, at ε = {strain[worst]:g}; the "
+        f"The equation with 0.8 is off by up to {worst.number:.1%}, at ε = {where.number:g}; the "
         f"ratio of λ to the equation goes from {ratio[0]:.3f} at ε = {strain[0]:g} to "
         f"{ratio[-1]:.3f} at ε = {strain[-1]:g}, and {best:.3f} fits best.",
         sheets=(study.sheet,),
@@ -75,18 +75,19 @@ def discrepancy_near_threshold(study: Study) -> Finding:
             f"{study.sheet.label}"
         )
     off = np.abs(theory.WAVELENGTH_FACTOR / ratio - 1.0)
-    usual, worst = float(np.median(off)), int(np.argmax(off))
+    usual = float(np.median(off))
+    worst, where = largest("largest deviation", off, strain)
     return Finding(
         verdict_of(float(off[0]) >= WORSE * usual),
         (
             Value(f"deviation next to birth, ε = {strain[0]:g}", float(off[0])),
             Value("median deviation", usual),
-            Value("largest deviation", float(off[worst])),
-            Value("at strain", float(strain[worst])),
+            worst,
+            where,
         ),
         f"At ε = {strain[0]:g}, {strain[0] / study.sheet.birth:.2g} times the birth strain, the "
         f"deviation is {off[0]:.1%}; the median is {usual:.1%}, and the largest, "
-        f"{off[worst]:.1%}, lies at ε = {strain[worst]:g}.",
+        f"{worst.number:.1%}, lies at ε = {where.number:g}.",
         sheets=(study.sheet,),
     )
 
@@ -170,12 +171,11 @@ def small_slope(study: Study) -> Finding:
     """Compute the largest ratio of amplitude to wavelength."""
     sheet = study.sheet
     strain, height, wavelength = sheet.wrinkled("strain", "amplitude_over_thickness", _WAVELENGTH)
-    ratio = height * sheet.thickness / wavelength
-    worst = int(np.argmax(ratio))
+    worst, where = largest("largest A/λ", height * sheet.thickness / wavelength, strain)
     return Finding(
-        verdict_of(float(ratio[worst]) <= SMALL_SLOPE),
-        (Value("largest A/λ", float(ratio[worst])), Value("at strain", float(strain[worst]))),
-        f"A/λ reaches {ratio[worst]:.3g}, at ε = {strain[worst]:g}.",
+        verdict_of(worst.number <= SMALL_SLOPE),
+        (worst, where),
+        f"A/λ reaches {worst.number:.3g}, at ε = {where.number:g}.",
         sheets=(sheet,),
     )
 

@@ -3,7 +3,15 @@
 import numpy as np
 
 from wrinklestudy import theory
-from wrinklestudy.claims.finding import Claim, Finding, Value, claim, number_text, verdict_of
+from wrinklestudy.claims.finding import (
+    Claim,
+    Finding,
+    Value,
+    claim,
+    largest,
+    number_text,
+    verdict_of,
+)
 from wrinklestudy.claims.sheet import MissingError, Sheet
 from wrinklestudy.claims.study import Study
 from wrinklestudy.material.laws import Array
@@ -35,18 +43,17 @@ def linear_width(study: Study) -> Finding:
     small = strain <= LINEAR_UP_TO + 1e-9
     if not small.any():
         raise MissingError(f"a state up to strain {LINEAR_UP_TO:g} of {study.sheet.label}")
-    worst = int(np.argmax(np.abs(off[small])))
-    largest = float(off[small][worst])
+    worst, where = largest("largest departure over the contraction", off[small], strain[small])
     return Finding(
-        verdict_of(abs(largest) <= LINEAR),
+        verdict_of(abs(worst.number) <= LINEAR),
         (
-            Value("largest departure over the contraction", largest),
-            Value("at strain", float(strain[small][worst])),
-            Value("the same in W", largest * POISSON * float(strain[small][worst])),
+            worst,
+            where,
+            Value("the same in W", worst.number * POISSON * where.number),
             Value("states", int(small.sum())),
         ),
         f"Up to ε = {LINEAR_UP_TO:g} the arc width departs from 1 - ν ε by at most "
-        f"{abs(largest):.1%} of the contraction, at ε = {strain[small][worst]:g}.",
+        f"{abs(worst.number):.1%} of the contraction, at ε = {where.number:g}.",
         sheets=(study.sheet,),
     )
 
@@ -94,19 +101,19 @@ def planar_width_retained(study: Study) -> Finding:
         "strain", _ARC, "projected_width_over_width", "planar_width_over_width"
     )
     off = np.abs(arc - flat) / (1.0 - flat)
-    worst = int(np.argmax(off))
+    worst, where = largest("largest difference over the contraction", off, strain)
     wasted = float(np.max((arc - flat) / (arc - projected)))
     return Finding(
-        verdict_of(float(off[worst]) <= RETAINED),
+        verdict_of(worst.number <= RETAINED),
         (
-            Value("largest difference over the contraction", float(off[worst])),
-            Value("at strain", float(strain[worst])),
+            worst,
+            where,
             Value("largest difference in W", float(np.abs(arc - flat).max())),
             Value("largest difference over W_act - W_proj", wasted),
         ),
-        f"Arc length and flat width differ by up to {off[worst]:.2%} of the contraction (collapse "
-        f"of the strain would make it 100%). Against the length that the wrinkles take up, "
-        f"W_act - W_proj, the difference is up to {wasted:.0%}.",
+        f"Arc length and flat width differ by up to {worst.number:.2%} of the contraction "
+        f"(collapse of the strain would make it 100%). Against the length that the wrinkles take "
+        f"up, W_act - W_proj, the difference is up to {wasted:.0%}.",
         sheets=(sheet,),
     )
 

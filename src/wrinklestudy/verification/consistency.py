@@ -56,14 +56,12 @@ def states(stretches: tuple[float, float]) -> Array:
 
 
 def _gradient(section: Section, values: Array) -> Array:
-    shape = plate.surface(values, section.bending)
-    return plate.gradient(shape, section.derivatives(shape.metric, shape.curvature))
+    return plate.gradient(*plate.respond(section, values))
 
 
 def _full_hessian(section: Section, values: Array) -> Array:
     """Return the Hessian (5, 3, 5, 3, ...) from its blocks."""
-    shape = plate.surface(values, section.bending)
-    blocks = plate.hessian(shape, section.derivatives(shape.metric, shape.curvature))
+    blocks = plate.hessian(*plate.respond(section, values))
     full = np.empty((5, 3, 5, 3, *values.shape[2:]))
     pairs = [(i, j) for i in range(3) for j in range(i, 3)]
     for (i, j), block in zip(pairs, blocks, strict=True):

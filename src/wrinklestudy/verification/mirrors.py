@@ -58,10 +58,9 @@ def whole_sheet_inertia(state: Equilibrium) -> int:
         free[2, whole.edge_dofs(edge, ["u", "u_x", "u_y", "u_xy"])] = False
     bending = state.planar.settings.bending
     section = Section(state.planar.material.law, state.thickness, bending)
-    surface = plate.surface(whole.derivatives(whole.field_from_nodes(nodes)), bending)
-    derivatives = section.derivatives(surface.metric, surface.curvature)
+    surface, slopes = plate.respond(section, whole.derivatives(whole.field_from_nodes(nodes)))
     solver = make_indefinite_solver()
-    solver.factorise(Assembler(whole, free).tangent(plate.hessian(surface, derivatives)))
+    solver.factorise(Assembler(whole, free).tangent(plate.hessian(surface, slopes)))
     return solver.negative
 
 
@@ -78,7 +77,7 @@ def checks() -> list[Check]:
         # With the stiffness of a thinner sheet the same shape has unstable directions to count
         for thickness in (THICKNESS, *THINNER):
             probe = replace(state, thickness=thickness)
-            counts = [c.unstable for c in inertia.classes(probe, eigenvalues=False)]
+            counts = [c.unstable for c in inertia.classes(probe, eigenvalues=())]
             rows.append(
                 Check(
                     f"{parity}, {mesh[0]} x {mesh[1]} cells, stiffness for t/W = {thickness:g}: "

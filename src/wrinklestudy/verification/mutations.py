@@ -127,8 +127,8 @@ MUTATIONS = (
         "whole_sheet",
         "classes that break y taken for those that keep it",
         "inertia.py",
-        "free = space.free(settings.parity, keeps_x, keeps_y)",
-        "free = space.free(settings.parity, keeps_x)",
+        "free = flat.space.free(settings.parity, keeps_x, keeps_y)",
+        "free = flat.space.free(settings.parity, keeps_x)",
     ),
     Mutation(
         "whole_sheet",

@@ -86,18 +86,16 @@ def solve_pair(space: Space, strain: float, every: bool = True, spectra: bool = 
     """
     states = both_parities(space, strain)
     kinds = CLASSES if every else (SLIDING,)
-
-    def stability(state: Equilibrium) -> tuple[ClassStability, ...]:
-        return tuple(inertia._stability(state, *kind, spectra or kind == SLIDING) for kind in kinds)
-
-    return Pair(strain, states, (stability(states[0]), stability(states[1])))
+    eigenvalues = CLASSES if spectra else (SLIDING,)
+    first, second = (tuple(inertia.classes(state, kinds, eigenvalues)) for state in states)
+    return Pair(strain, states, (first, second))
 
 
 def eigenvalue(space: Space, strain: float, parity: Parity) -> float:
     """Return the softest eigenvalue mu of one parity against sliding."""
     state = flat.solve(space, LATEX.law, strain)
     found = wrinkled(planar_state(state, LATEX, Settings(parity=parity, modes=4)), THICKNESS)
-    return inertia._stability(found, *SLIDING, eigenvalues=True).softest
+    return inertia.classes(found, (SLIDING,))[0].softest
 
 
 def exchange(space: Space, parity: Parity, known: dict[float, float]) -> float:
