@@ -43,7 +43,7 @@ report: $(READY) ## run the study and put figures, claims and run times into rep
 	$(SNAKEMAKE) $(CONFIG:%=--configfile %) --report $(REPORT)
 
 test: $(READY) ## run the tests, with the quick study as one of them
-	$(ONE_THREAD) $(BIN)/python -m pytest --numprocesses auto --dist loadgroup
+	$(ONE_THREAD) $(BIN)/python -m pytest --numprocesses auto --dist loadgroup --no-loadscope-reorder
 
 verify: $(READY) ## compute the evidence that the numbers are right: docs/verification.md
 	$(SNAKEMAKE) --snakefile verification/Snakefile
