@@ -3,7 +3,8 @@
 Usage: ``python benchmarks/bench_study.py RUN.json [snakemake options]``, by `make bench`. All
 cores are used; results and figures go to a folder of their own that is removed at the end. Solving
 is what the jobs log as such: flat states, eigenproblems and wrinkled states. The rest is overhead:
-Python's start and imports, files, tables, figures and snakemake itself.
+Python's start and imports, files, tables, figures and snakemake itself. What the start of a job
+costs is measured part by part in processes that do nothing else.
 """
 
 import json
@@ -15,10 +16,23 @@ import sys
 import time
 from collections import defaultdict
 from pathlib import Path
+from statistics import median
 from tempfile import TemporaryDirectory
 from typing import Any
 
 from wrinklestudy.store import write_json
+
+# What a job of a wrinkled state imports, each on top of those before
+IMPORTS = {
+    "Python": "gc",
+    "snakemake's objects": "snakemake.iocontainers",
+    "numpy": "numpy",
+    "h5py": "h5py",
+    "scipy.sparse": "scipy.sparse.linalg",
+    "scikit-fem": "skfem",
+    "wrinklestudy": "wrinklestudy.wrinkle",
+}
+ROUNDS = 15
 
 LINE = re.compile(r"(solve|job): ([0-9.]+) s of CPU")
 
@@ -30,11 +44,11 @@ def run(options: list[str]) -> dict[str, Any]:
         folders = json.dumps({"results": f"{folder}/results", "figures": f"{folder}/figures"})
         command = [sys.executable, "-m", "snakemake", "--cores", "all", "--quiet", "all"]
         start = time.perf_counter()
+        before = children()
         subprocess.run([*command, *options, "--config", f"folders={folders}"], check=True)
-        wall = time.perf_counter() - start
-        usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+        wall, total = time.perf_counter() - start, children() - before
+        peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
         stages = logged(Path(folder, "results", "log"))
-    total = usage.ru_utime + usage.ru_stime
     solving = sum(stage["solve"] for stage in stages.values())
     return {
         "cores": os.cpu_count(),
@@ -42,9 +56,31 @@ def run(options: list[str]) -> dict[str, Any]:
         "cpu": total,
         "solving": solving,
         "overhead": 1.0 - solving / total,
-        "peak_mb_of_a_job": usage.ru_maxrss / 1024,
+        "peak_mb_of_a_job": peak / 1024,
         "stages": stages,
+        "starts": starts(),
     }
+
+
+def starts() -> list[dict[str, Any]]:
+    """Return the median CPU seconds of a process that imports one thing more and ends, in order."""
+    names = list(IMPORTS)
+    times: dict[str, list[float]] = {name: [] for name in names}
+    for _ in range(ROUNDS):
+        for number, name in enumerate(names, start=1):
+            wanted = ", ".join(IMPORTS[n] for n in names[:number])
+            code = f"import gc; gc.disable(); import {wanted}; gc.freeze()"  # as in joblog.log_to
+            before = children()
+            environment = os.environ | {"OMP_NUM_THREADS": "1"}
+            subprocess.run([sys.executable, "-c", code], check=True, env=environment)
+            times[name].append(children() - before)
+    return [{"imports": name, "seconds": median(times[name])} for name in names]
+
+
+def children() -> float:
+    """Return the CPU seconds of the child processes that have ended."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
 
 
 def logged(folder: Path) -> dict[str, dict[str, float]]:

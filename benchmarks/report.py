@@ -37,6 +37,18 @@ tables, figures, snakemake. The largest job takes {peak_mb_of_a_job:.0f} MB.
 
 """
 
+STARTS = """What a process costs that imports what a job of a wrinkled state needs, and then ends
+(medians, measured after the study):
+
+"""
+
+SHARE = """
+The jobs of flat and of wrinkled states, {jobs} of them, start for {seconds:.0f} s. Without any
+other job, without files and without snakemake that alone is {share:.0%} of the CPU time beside the
+{solving:.0f} s of solving. Only processes that serve several cases could get below it.
+
+"""
+
 MESH = """## The default mesh
 
 Error against time, one number of the mesh changed at a time; {cases} cases that stand for the whole
@@ -104,7 +116,22 @@ def study(content: dict[str, Any]) -> str:
     rows = [["stage", "jobs", "CPU seconds", "solving"]]
     for name, stage in content["stages"].items():
         rows.append([name, f"{stage['jobs']:.0f}", f"{stage['job']:.1f}", f"{stage['solve']:.1f}"])
-    return text + markdown(rows)
+    return text + markdown(rows) + starts(content)
+
+
+def starts(content: dict[str, Any]) -> str:
+    """Say what the start of a job costs, and what share of the study such starts are."""
+    rows, last = [["start of a job", "CPU seconds"]], 0.0
+    for part in content["starts"]:
+        name = f"+ {part['imports']}" if last else part["imports"]
+        rows.append([name, f"{part['seconds'] - last:.3f}"])
+        last = part["seconds"]
+    rows.append(["together", f"{last:.3f}"])
+    jobs = sum(content["stages"][stage]["jobs"] for stage in ("planar", "wrinkle"))
+    seconds, solving = jobs * last, content["solving"]
+    share = seconds / (seconds + solving)
+    text = SHARE.format(jobs=round(jobs), seconds=seconds, share=share, solving=solving)
+    return STARTS + markdown(rows).rstrip() + "\n" + text
 
 
 def mesh(content: dict[str, Any]) -> str:
