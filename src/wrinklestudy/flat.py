@@ -17,6 +17,9 @@ Array = NDArray[np.float64]
 # Length, in units of W, over which the lateral contraction sets in from the clamp: first guess only
 _CLAMP_ZONE = 0.25
 _SMALLEST_LOAD = 0.05
+# Rounding error of the energy for each unit of thickness, in units of mu W^2: the energy of a small
+# strain is a difference of numbers near 1.
+ROUNDING = 1.0e-17
 
 
 class NotConvergedError(ArithmeticError):
@@ -150,7 +153,7 @@ def solve(
         If Newton's method fails; the message says why.
     """
     space = grid if isinstance(grid, Space) else Space(grid)
-    options = options or newton.Options()
+    options = options or newton.Options(noise=ROUNDING)
     problem = MembraneProblem(space, law, stretched(space, strain))
     found = _load(problem, strain, options)
     if not found.converged:
@@ -160,17 +163,24 @@ def solve(
 
 
 def _load(problem: MembraneProblem, strain: float, options: newton.Options) -> newton.Minimum:
-    """Minimise from the first guess; where that fails go through half of the strain."""
-    free = problem.assembler.free
+    """Minimise from the first guess; where that fails approach the strain in steps."""
+    free, space = problem.assembler.free, problem.assembler.space
     solver = problem.assembler.solver
     found = newton.minimise(problem, problem.prescribed[free], solver, options)
-    if found.converged or abs(strain) < _SMALLEST_LOAD:
-        return found
-    space = problem.assembler.space
-    half = MembraneProblem(space, problem.law, stretched(space, 0.5 * strain))
-    before = _load(half, 0.5 * strain, options)
-    if not before.converged:
-        return found
-    # The clamps move on: scale what the half load did to the sheet like the first guesses.
-    guess = problem.prescribed + half.position(before.unknowns) - half.prescribed
-    return newton.minimise(problem, guess[free], solver, options)
+    done, step, correction = 0.0, 0.5 * strain, np.zeros_like(problem.prescribed)
+    while not found.converged and abs(step) >= _SMALLEST_LOAD:
+        last = abs(strain - done) <= 1.5 * abs(step)
+        target = strain if last else done + step
+        part = problem
+        if not last:
+            part = MembraneProblem(space, problem.law, stretched(space, target))
+        # What the load so far did to the sheet beyond the first guess of its strain
+        guess = (part.prescribed + correction)[free]
+        there = newton.minimise(part, guess, solver, options)
+        if not there.converged:
+            step *= 0.5
+        elif last:
+            return there
+        else:
+            done, correction = target, part.position(there.unknowns) - part.prescribed
+    return found

@@ -33,7 +33,11 @@ Array = NDArray[np.float64]
 # half the length and half the width.
 _CORNER = (0.8, 0.6)
 CORNER_PART = 0.5
+# Thicknesses that are tried in turn as an upper bound of all tau_i; near tau_1 the eigenvalues are
+# well apart. At small strains tau_1 goes like the root of the strain.
 _FIRST_TRIAL = 1.6e-3
+_TRIAL_OVER_ROOT = 0.01
+_SMALLEST_TRIAL = 1.0e-6
 _LARGEST_TRIAL = 1.0
 _LANCZOS = 4  # vectors for each eigenvalue
 _EIGENVALUE_TOLERANCE = 1.0e-10
@@ -138,7 +142,8 @@ def spectrum(
         If the flat sheet is unstable at any thickness up to W.
     """
     stress, bent, assembler, points = deflection_matrices(flat, bending, parity)
-    squared, vectors = _eigen(stress, bent, count, assembler.solver)
+    trial = min(_FIRST_TRIAL, max(_TRIAL_OVER_ROOT * abs(flat.strain) ** 0.5, _SMALLEST_TRIAL))
+    squared, vectors = _eigen(stress, bent, count, assembler.solver, trial)
     shapes = np.zeros((count, flat.space.size))
     shapes[:, assembler.free[0]] = vectors.T
     return Spectrum(squared, shapes, _corner_part(flat, points, shapes))
@@ -176,9 +181,11 @@ def critical_modes(
 
 
 def _eigen(
-    stress: sparse.csr_array, bent: sparse.csr_array, count: int, solver: Solver
+    stress: sparse.csr_array, bent: sparse.csr_array, count: int, solver: Solver, trial: float
 ) -> tuple[Array, Array]:
     """Solve -S phi = mu B phi for the largest mu below a sigma that makes S + sigma B definite.
+
+    The first sigma to try is the square of a trial thickness.
 
     In the form B phi = theta (S + sigma B) phi, theta = 1/(sigma - mu), the right side is definite
     even where B is not: for Mooney-Rivlin d2W/dg12^2 is negative beyond a shear that the corner
@@ -186,7 +193,6 @@ def _eigen(
     """
     from scipy.sparse.linalg import LinearOperator, eigsh
 
-    trial = _FIRST_TRIAL
     while True:
         shifted = sparse.csr_array(
             (stress.data + trial**2 * bent.data, stress.indices, stress.indptr), shape=stress.shape

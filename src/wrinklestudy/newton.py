@@ -61,6 +61,9 @@ class Options:
         by shifts. 0 for a descent along straight lines.
     ceiling : float
         Energy that a step may not rise to.
+    noise : float
+        Rounding error of the energy. Steps of a smaller decrement are those of plain Newton, and
+        where such a decrement falls no further the minimum is as near as rounding allows.
     """
 
     tolerance: float = 1.0e-20
@@ -68,6 +71,7 @@ class Options:
     first_shift: float = 1.0
     rise: float = 0.0
     ceiling: float = np.inf
+    noise: float = 0.0
 
     def __post_init__(self) -> None:
         if not 0 < self.tolerance < 1:
@@ -117,6 +121,8 @@ _ARMIJO = 1.0e-4
 # divides it by this.
 _QUASI_DECREMENT = 1.0e-8
 _QUASI_GAIN = 10.0
+# Newton's method squares the error: where one iteration gains less than this, rounding is left.
+_ROUNDED = 10.0
 
 
 def minimise(problem: Problem, start: Array, solver: Solver, options: Options) -> Minimum:
@@ -158,7 +164,7 @@ def minimise(problem: Problem, start: Array, solver: Solver, options: Options) -
         guess = shift / 8.0 if shift > 0.0 else guess
         scaled = float(np.abs(residual / np.sqrt(np.abs(tangent.diagonal()))).max())
         history.append(Iteration(energy, scaled, step.decrement, step.length, shift, 1.0))
-        if shift == 0.0 and 0.0 <= step.decrement <= options.tolerance * abs(energy):
+        if shift == 0.0 and _converged(history, options):
             reason = ""
             break
         unknowns = unknowns + step.length * step.direction
@@ -173,6 +179,15 @@ def minimise(problem: Problem, start: Array, solver: Solver, options: Options) -
                 break
         shift = 0.0 if shift < 1e-3 * options.first_shift else shift / 8.0
     return Minimum(unknowns, energy, tangent, tuple(history), reason)
+
+
+def _converged(history: list[Iteration], options: Options) -> bool:
+    """Return whether the last decrement is within the tolerance, or rounding and nothing else."""
+    energy, decrement = history[-1].energy, history[-1].decrement
+    if 0.0 <= decrement <= options.tolerance * abs(energy):
+        return True
+    before = [abs(row.decrement) for row in history[:-1] if row.fresh]
+    return bool(before) and before[-1] < _ROUNDED * abs(decrement) <= _ROUNDED * options.noise
 
 
 class _Step(NamedTuple):
@@ -218,8 +233,9 @@ def _step(
         direction = -solver.solve(residual)
         decrement = -float(residual @ direction)
         allowed = max(min(options.rise * decrement, options.ceiling - energy), 0.0)
-        allowed += 1e-14 * abs(energy)
-        if decrement <= 1e-14 * abs(energy):  # the energy cannot tell: a step of plain Newton
+        noise = max(1e-14 * abs(energy), options.noise)
+        allowed += noise
+        if decrement <= noise:  # the energy cannot tell: a step of plain Newton
             return _Step(direction, decrement, 1.0, shift, 0.0)
         for halvings in range(1 if options.rise > 0.0 else _MAX_HALVINGS):
             length = 0.5**halvings

@@ -25,6 +25,7 @@ SURVEY = (0.01, 0.03, 0.06, 0.1, 0.16, 0.24, 0.32, 0.4, 0.5)
 LARGEST_STRAIN = 1.0
 
 _TOLERANCE = 1.0e-5  # of birth and decay strain
+_RELATIVE = 1.0e-3  # of a small strain of birth, which falls like t^2
 _STEP_BEYOND = 0.1  # of the search beyond the last strain
 _MAX_EVALUATIONS = 30
 # A maximum of tau_1 between two strains is looked for if the table comes this near to the thickness
@@ -145,20 +146,28 @@ def _root(
     low: float,
     high: float,
 ) -> float:
-    """Return the root of tau_1 = t in a bracket; every value computed is put into the table."""
+    """Return the root of tau_1 = t in a bracket; every value computed is put into the table.
+
+    Raises
+    ------
+    ArithmeticError
+        If tau_1 cannot be computed at a strain of the bracket.
+    """
     from scipy.interpolate import PchipInterpolator
     from scipy.optimize import brentq
 
     guess = np.inf
     for _ in range(_MAX_EVALUATIONS):
-        # tau_1 is smooth: the root of its interpolant is computed and joins the table
+        # tau_1^2 is smooth, at zero too: the root of its interpolant joins the table
         strains = np.array(sorted(table))
         values = np.array([table[e] for e in strains])
         last = guess
-        guess = float(brentq(PchipInterpolator(strains, values - thickness), low, high))
-        if abs(guess - last) < _TOLERANCE or guess in table:
+        guess = float(brentq(PchipInterpolator(strains, values**2 - thickness**2), low, high))
+        if abs(guess - last) < min(_TOLERANCE, _RELATIVE * guess) or guess in table:
             return guess
-        table[guess] = curve(guess)
+        if math.isnan(tau := curve(guess)):
+            raise ArithmeticError(f"tau_1 at strain {guess:g}, near birth or decay: not computed")
+        table[guess] = tau
         if (table[guess] > thickness) == (table[high] > thickness):
             high = guess
         else:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wrinklestudy import newton
-from wrinklestudy.flat import Flat
+from wrinklestudy.flat import ROUNDING, Flat
 from wrinklestudy.joblog import log_cpu
 from wrinklestudy.material import laws
 from wrinklestudy.modes import Modes
@@ -156,6 +156,7 @@ def _wrinkled(
         first_shift=min(thickness**2, 0.25 * (modes.squared[0] - thickness**2)),
         rise=_RISE,
         ceiling=flat_energy,
+        noise=ROUNDING * thickness,
     )
     found = newton.minimise(Predicting(problem), start[problem.assembler.free], solver, options)
     clamp = flat.space.edge_dofs("clamp", ["u"])

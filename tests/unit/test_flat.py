@@ -1,5 +1,7 @@
 """The flat state: equilibrium, work of the clamps, load path and failure."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -42,6 +44,38 @@ def test_force_lies_between_uniaxial_and_pure_shear(space):
 def test_converges_at_small_and_large_strains(space, strain):
     found = flat.solve(space, LATEX, strain)
     assert found.history[-1].decrement <= 1e-20 * found.energy
+
+
+def test_small_strains_are_linear_down_to_rounding():
+    """The stress over the strain changes by a part of the order of the strain, on a fine mesh too.
+
+    The corner cells are so small that rounding keeps the decrement above the tolerance.
+    """
+    space = Space(make_grid(2.0, settings=MeshSettings(24, 24, 3.0)))
+    strains = np.array([1e-6, 1e-5, 1e-4, 1e-3])
+    stiffness = [flat.solve(space, LATEX, strain).force / strain for strain in strains]
+    bent = np.abs(np.diff(stiffness)) / stiffness[0]
+    assert np.all(bent < 3 * strains[1:])
+    assert bent[2] == pytest.approx(10 * bent[1], rel=0.05)
+
+
+def test_a_load_that_fails_at_once_is_approached_in_steps(space, monkeypatch):
+    """The state does not depend on how the load is applied."""
+    direct = flat.solve(space, LATEX, 1.0)
+    calls = []
+
+    def reluctant(problem, start, solver, options):
+        end = problem.prescribed[0].max() / (0.5 * space.grid.aspect) - 1.0
+        calls.append(end)
+        few = len(calls) in (1, 3)  # the whole, and the second half
+        return minimise(problem, start, solver, replace(options, max_iterations=1 if few else 60))
+
+    minimise = flat.newton.minimise
+    monkeypatch.setattr(flat.newton, "minimise", reluctant)
+    stepped = flat.solve(space, LATEX, 1.0)
+    assert calls == pytest.approx([1.0, 0.5, 1.0, 0.75, 1.0])
+    assert stepped.force == pytest.approx(direct.force, rel=1e-12)
+    assert np.abs(stepped.position - direct.position).max() < 1e-9
 
 
 def test_failure_says_why(space):

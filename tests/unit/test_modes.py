@@ -106,3 +106,11 @@ def test_corner_modes_of_a_uniform_grid_are_recognised():
     assert not found.wrinkles[leading]
     graded = flat.solve(make_grid(2.0, settings=MeshSettings(16, 24)), LATEX, 0.45)
     assert found.critical_thickness == pytest.approx(modes.critical_thickness(graded), rel=0.02)
+
+
+def test_critical_thickness_of_small_strains_goes_like_their_root(state):
+    strains = np.array([1e-7, 1e-5, 1e-3])
+    found = [modes.critical_thickness(flat.solve(state.space, LATEX, e)) for e in strains]
+    ratio = found / np.sqrt(strains)
+    assert np.abs(np.diff(ratio)).max() < 10 * strains[-1] * ratio[0]
+    assert abs(ratio[1] - ratio[0]) < 10 * strains[1] * ratio[0]

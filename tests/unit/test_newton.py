@@ -41,6 +41,23 @@ def test_finds_a_minimum_from_an_indefinite_start(start):
     assert np.all(np.diff(energies) <= 1e-12)
 
 
+class Rounded(DoubleWell):
+    """The double well with an error in its residual that never ends, as rounding has."""
+
+    def derivatives(self, u):
+        energy, residual, tangent = super().derivatives(u)
+        error = np.random.default_rng(abs(hash(u.tobytes()))).standard_normal(2)
+        return energy, residual + 1e-9 * error, tangent
+
+
+@pytest.mark.parametrize(("noise", "converged"), [(1e-15, True), (1e-25, False)])
+def test_ends_where_only_rounding_is_left(noise, converged):
+    options = Options(tolerance=1e-22, max_iterations=30, noise=noise)
+    found = minimise(Rounded(), np.array([0.5, 0.4]), make_solver(), options)
+    assert found.converged == converged
+    assert np.allclose(found.unknowns, 1.0, atol=1e-8)
+
+
 def test_stays_off_the_saddle_even_where_the_residual_vanishes():
     """At the saddle the residual is zero, but the tangent is indefinite: not a minimum."""
     found = minimise(DoubleWell(), np.zeros(2), make_solver(), Options(max_iterations=5))

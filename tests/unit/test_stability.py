@@ -31,6 +31,21 @@ def test_roots_to_the_tolerance(thickness):
     assert found.decay_strain == pytest.approx(exact(thickness, 0.1, 1.0), abs=5e-5)
 
 
+@given(st.floats(1e-6, 3e-4))
+def test_birth_of_a_thin_sheet_is_known_in_parts_of_itself(thickness):
+    """A sheet of small strain is linear: tau_1 goes like the root of eps, birth like t^2."""
+    found = find(lambda strain: 7e-3 * math.sqrt(strain) * math.exp(-strain / 0.2), thickness)
+    assert found.birth_strain == pytest.approx((thickness / 7e-3) ** 2, rel=0.02)
+    tau = 7e-3 * math.sqrt(found.birth_strain) * math.exp(-found.birth_strain / 0.2)
+    assert tau == pytest.approx(thickness, rel=1e-3)
+
+
+def test_a_root_that_cannot_be_computed_is_an_error():
+    known = [(e, hill(e)) for e in (0.05, 0.1, 0.15, 0.2, 0.4)]
+    with pytest.raises(ArithmeticError, match=r"tau_1 at strain 0\.0\d+, near birth"):
+        find(lambda _: math.nan, 1e-3, known)
+
+
 def test_a_thick_sheet_never_wrinkles():
     found = find(hill, 1.51e-3)
     assert found.birth_strain is None

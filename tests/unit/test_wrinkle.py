@@ -109,3 +109,18 @@ def test_planar_file_gives_the_same_wrinkled_state(flat_state, wrinkled, tmp_pat
 def test_refuses_a_thickness_that_is_not_positive(flat_state):
     with pytest.raises(ValueError, match=r"thickness = -0\.001"):
         wrinkle.solve(flat_state, -1e-3)
+
+
+def test_sheets_of_small_strain_are_similar(flat_state):
+    """In the limit of small strains the Foppl-von Karman equations hold: t^2/eps alone counts.
+
+    Rounding keeps the Newton decrement of such states above the tolerance.
+    """
+    heights = []
+    for strain in (1e-5, 1e-7):
+        thickness = 6e-3 * strain**0.5
+        state = wrinkle.solve(planar.solve(flat_state.flat.space, LATEX, strain), thickness)
+        assert state.status == "wrinkled"
+        heights.append(amplitude(state) / thickness)
+    assert heights[0] == pytest.approx(heights[1], rel=20 * 1e-5)
+    assert heights[0] > 0.5
