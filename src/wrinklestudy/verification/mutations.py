@@ -148,8 +148,8 @@ MUTATIONS = (
         "paths",
         "search stopped far from the minimum",
         "newton.py",
-        "0.0 <= step.decrement <= options.tolerance * abs(energy)",
-        "0.0 <= step.decrement <= 1e-7 * abs(energy)",
+        "0.0 <= decrement <= options.tolerance * abs(energy)",
+        "0.0 <= decrement <= 1e-7 * abs(energy)",
     ),
     Mutation(
         "bending_laws",
