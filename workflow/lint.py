@@ -11,9 +11,12 @@ import sys
 NOT_HERE = "Specify a conda environment or container for each rule."
 
 
-def main() -> int:
+WORKFLOWS = ("Snakefile", "verification/Snakefile")
+
+
+def lint(workflow: str) -> int:
     """Print the lints that hold and return their number; 1 if the linter itself failed."""
-    command = [sys.executable, "-m", "snakemake", "--lint"]
+    command = [sys.executable, "-m", "snakemake", "--lint", "--snakefile", workflow]
     output = subprocess.run(command, capture_output=True, text=True, check=False)
     text = output.stdout + output.stderr
     lints = re.findall(r"^    \* (.*?):?$", text, flags=re.MULTILINE)
@@ -21,9 +24,9 @@ def main() -> int:
     if remaining or not (lints or "workflow is in a good condition" in text):
         print(text)
         return max(len(remaining), 1)
-    print("snakemake --lint: nothing to mend")
+    print(f"snakemake --lint, {workflow}: nothing to mend")
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(sum(map(lint, WORKFLOWS)))

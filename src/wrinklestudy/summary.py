@@ -128,8 +128,8 @@ def peak_row(limit: Row, states: Sequence[Row]) -> dict[str, Any]:
     """Return what one sheet reaches over strain, keyed as `PEAK_COLUMNS`.
 
     (A/t)^2 and Phi^2 are smooth functions of the strain that vanish at birth and decay: the maxima
-    are those of parabolas (`metrics.peak`), with birth and decay among the samples. The wavelength
-    at the peak is linear between the states.
+    are those of parabolas (`metrics.peak`), with birth and decay among the samples, and NaN where a
+    state beside them did not converge. The wavelength at the peak is linear between the states.
 
     Parameters
     ----------
@@ -138,9 +138,9 @@ def peak_row(limit: Row, states: Sequence[Row]) -> dict[str, Any]:
     states : sequence of mappings
         The states of the sheet by strain, keyed as `COLUMNS`.
     """
-    wrinkled = [row for row in states if row["status"] == "wrinkled"]
+    curved = [row for row in states if row["status"] != "flat"]
     strain, amplitude, phi_squared, wavelength = (
-        np.array([row[name] for row in wrinkled], dtype=float)
+        np.array([row[name] for row in curved], dtype=float)
         for name in ("strain", "amplitude_over_thickness", "phi_squared", "wavelength_over_width")
     )
     ends = [limit["birth_strain"], limit["decay_strain"]]
@@ -170,7 +170,7 @@ def peak_row(limit: Row, states: Sequence[Row]) -> dict[str, Any]:
 def _peak(strain: Array, value: Array, ends: Sequence[float | None]) -> tuple[float, float]:
     """Return where the largest value is and how large, with birth and decay as further samples."""
     zeros = [end for end in ends if end is not None and end not in strain]
-    if zeros and not len(strain):
+    if zeros and not np.isfinite(value).any():
         return _NAN, _NAN  # it wrinkles between two strains of the study: nothing was measured
     if not len(strain):
         return _NAN, 0.0

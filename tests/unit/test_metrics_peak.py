@@ -36,11 +36,15 @@ def test_the_peak_of_an_asymmetric_curve_is_known_to_a_part_of_the_spacing():
     assert errors[1] < 1e-3 * 0.12 / math.e
 
 
-def test_a_hole_beside_the_peak_is_passed_over():
+@pytest.mark.parametrize(("hole", "known"), [(0, True), (1, False), (3, False), (4, True)])
+def test_beside_a_hole_the_peak_is_unknown(hole, known):
+    """The state that did not converge may be the highest."""
     strain = np.array([0.0, 0.1, 0.2, 0.3, 0.4])
-    value = 4.0 - 100.0 * (strain - 0.22) ** 2
-    value[3] = np.nan
-    assert peak(strain, value) == pytest.approx((0.22, 4.0))
+    value = 9.0 - 100.0 * (strain - 0.22) ** 2
+    value[hole] = np.nan
+    expected = (0.22, 9.0) if known else (math.nan, math.nan)
+    assert peak(strain, value) == pytest.approx(expected, nan_ok=True)
+    assert peak(strain[::-1], value[::-1]) == pytest.approx(expected, nan_ok=True)
 
 
 def test_the_largest_sample_at_an_end_is_taken_as_it_is():
@@ -50,9 +54,10 @@ def test_the_largest_sample_at_an_end_is_taken_as_it_is():
 
 
 def test_a_sheet_that_never_wrinkles_has_height_zero_and_no_strain():
-    where, highest = peak([0.1, 0.2, 0.3], [0.0, np.nan, 0.0])
+    where, highest = peak([0.1, 0.2, 0.3], [0.0, 0.0, 0.0])
     assert math.isnan(where)
     assert highest == 0.0
+    assert all(map(math.isnan, peak([0.1, 0.2, 0.3], [0.0, np.nan, 0.0])))
 
 
 def test_without_any_sample_nothing_is_known():

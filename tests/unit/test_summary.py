@@ -70,6 +70,15 @@ def test_wrinkles_between_two_strains_have_an_unknown_peak_and_not_a_flat_one():
     assert math.isnan(row["max_phi_squared"])
 
 
+@pytest.mark.parametrize(("hole", "known"), [(0.05, True), (0.2, False), (0.25, False)])
+def test_a_state_that_did_not_converge_beside_the_peak_leaves_it_unknown(hole, known):
+    """The peak is at 0.22, between two of the samples."""
+    states = [state(e, pitchfork(e)) for e in (0.05, 0.15, 0.2, 0.25, 0.3) if e != hole]
+    row = peak_row(limit(), [*states, state(hole, math.nan, "not-converged")])
+    assert math.isfinite(row["max_amplitude_over_thickness"]) == known
+    assert math.isfinite(row["strain_at_max_phi_squared"]) == known
+
+
 def test_a_curve_that_still_rises_at_its_last_state_has_its_peak_there():
     row = peak_row(limit(BIRTH, None), [state(e, pitchfork(e)) for e in (0.05, 0.1, 0.15)])
     assert row["strain_at_max_amplitude"] == 0.15

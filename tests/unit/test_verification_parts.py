@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from wrinklestudy.digest import PACKAGE, SOURCE
 from wrinklestudy.fem.space import Space
 from wrinklestudy.material.homogeneous import nominal_stress
 from wrinklestudy.material.laws import Material
@@ -14,6 +15,7 @@ from wrinklestudy.verification.closed_forms import LAW
 from wrinklestudy.verification.consistency import STEP, difference
 from wrinklestudy.verification.convergence import limit
 from wrinklestudy.verification.independent import extrapolated
+from wrinklestudy.verification.mutations import MUTATIONS
 from wrinklestudy.verification.problem import held
 from wrinklestudy.verification.singularity import halved, williams
 from wrinklestudy.verification.stiffness import flexure, stiffness_formula
@@ -92,3 +94,9 @@ def test_a_square_root_is_extrapolated_to_its_zero():
     strain = np.array([0.03, 0.04, 0.05])
     assert extrapolated(strain, np.sqrt(strain - 0.025), 0.01) == pytest.approx(0.025, abs=1e-12)
     assert extrapolated(strain, np.sqrt(0.06 - strain), 0.07) == pytest.approx(0.06, abs=1e-12)
+
+
+@pytest.mark.parametrize("mutation", MUTATIONS, ids=lambda mutation: mutation.what)
+def test_what_a_mutation_replaces_occurs_once(mutation):
+    text = (SOURCE / PACKAGE / mutation.file).read_text(encoding="utf-8")
+    assert text.count(mutation.old) == 1

@@ -83,8 +83,8 @@ class Series:
     def maximum(self) -> float:
         """Return the maximum of A/t over strain as the summary has it; NaN if it is not known.
 
-        It is not known if no state is wrinkled, although some did not converge or the flat
-        sheet is unstable between two of the strains.
+        It is not known if a state beside it did not converge, or if no state is wrinkled although
+        the flat sheet is unstable between two of the strains.
         """
         if self.never_wrinkles:
             return 0.0

@@ -10,8 +10,9 @@ def peak(strain: ArrayLike, value: ArrayLike) -> tuple[float, float]:
     """Return strain and height of the maximum of a curve, between its samples.
 
     The maximum of the parabola through the largest sample and its two neighbours, which lies
-    between these neighbours. Samples that are NaN (a state that did not converge) are passed over.
-    A largest sample at either end is returned as it is: the maximum may lie beyond it.
+    between these neighbours. A sample that is NaN (a state that did not converge) beside the
+    largest one leaves the maximum unknown. A largest sample at either end is returned as it is: the
+    maximum may lie beyond it.
 
     Parameters
     ----------
@@ -23,9 +24,9 @@ def peak(strain: ArrayLike, value: ArrayLike) -> tuple[float, float]:
     Returns
     -------
     strain_at_max : float
-        NaN if no sample is above zero: the curve has no peak.
+        NaN if no sample is above zero: the curve has no peak; NaN if it is unknown.
     max : float
-        0 if no sample is above zero, NaN if there is no sample at all.
+        0 if no sample is above zero, NaN if it is unknown or there is no sample at all.
 
     Raises
     ------
@@ -40,14 +41,16 @@ def peak(strain: ArrayLike, value: ArrayLike) -> tuple[float, float]:
     x, y = np.asarray(strain, dtype=np.float64), np.asarray(value, dtype=np.float64)
     if x.shape != y.shape or x.ndim != 1:
         raise ValueError(f"strain {x.shape} and value {y.shape}: must be two columns of one length")
-    x, y = x[np.isfinite(y)], y[np.isfinite(y)]
     order = np.argsort(x)
     x, y = x[order], y[order]
     if (np.diff(x) == 0.0).any():
         raise ValueError("strain: must hold every strain once")
+    nan = float("nan")
     if not (y > 0.0).any():
-        return float("nan"), 0.0 if len(y) else float("nan")
-    top = int(np.argmax(y))
+        return nan, 0.0 if len(y) and np.isfinite(y).all() else nan
+    top = int(np.nanargmax(y))
+    if np.isnan(y[max(top - 1, 0) : top + 2]).any():
+        return nan, nan
     if not 0 < top < len(x) - 1:
         return float(x[top]), float(y[top])
     return _vertex(x[top - 1 : top + 2], y[top - 1 : top + 2])
