@@ -186,7 +186,7 @@ def _converged(history: list[Iteration], options: Options) -> bool:
     energy, decrement = history[-1].energy, history[-1].decrement
     if 0.0 <= decrement <= options.tolerance * abs(energy):
         return True
-    before = [abs(row.decrement) for row in history[:-1] if row.fresh]
+    before = [abs(row.decrement) for row in history[:-1] if row.fresh and row.shift == 0.0]
     return bool(before) and before[-1] < _ROUNDED * abs(decrement) <= _ROUNDED * options.noise
 
 

@@ -83,6 +83,8 @@ def find(
     ------
     ValueError
         If the thickness is not positive.
+    ArithmeticError
+        If birth or decay lies where the curve cannot be computed.
     """
     if not thickness > 0:
         raise ValueError(f"thickness = {thickness:g}: must be > 0 (in units of W)")
