@@ -9,8 +9,6 @@ import subprocess
 import sys
 
 NOT_HERE = "Specify a conda environment or container for each rule."
-
-
 WORKFLOWS = ("Snakefile", "verification/Snakefile")
 
 

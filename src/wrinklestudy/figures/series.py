@@ -83,13 +83,9 @@ class Series:
     def maximum(self) -> float:
         """Return the maximum of A/t over strain as the summary has it; NaN if it is not known.
 
-        It is not known if a state beside it did not converge, or if no state is wrinkled although
-        the flat sheet is unstable between two of the strains.
+        Zero if the sheet never wrinkles. It is not known if a state beside it did not converge, or
+        if no state is wrinkled although the flat sheet is unstable between two of the strains.
         """
-        if self.never_wrinkles:
-            return 0.0
-        if not self.wrinkled.any():
-            return float("nan")
         limits = {name: self.rows[0][name] for name in CASE}
         limits |= {"birth_strain": _or_none(self.birth), "decay_strain": _or_none(self.decay)}
         return float(peak_row(limits, self.rows)["max_amplitude_over_thickness"])
