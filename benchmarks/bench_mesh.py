@@ -15,19 +15,14 @@ from typing import Any, NamedTuple
 for _name in ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
     os.environ[_name] = "1"
 
+from wrinklestudy.equilibrium.planar import PlanarSettings  # noqa: E402
+from wrinklestudy.equilibrium.planar import solve as solve_planar  # noqa: E402
+from wrinklestudy.equilibrium.wrinkled import solve  # noqa: E402
+from wrinklestudy.fem.grid import MeshSettings, make_grid  # noqa: E402
 from wrinklestudy.fem.space import Space  # noqa: E402
-from wrinklestudy.material.laws import (  # noqa: E402
-    Material,
-    mooney_rivlin,
-    neo_hookean,
-    saint_venant_kirchhoff,
-)
-from wrinklestudy.mesh import MeshSettings, make_grid  # noqa: E402
-from wrinklestudy.metrics import measure_position  # noqa: E402
-from wrinklestudy.planar import Settings  # noqa: E402
-from wrinklestudy.planar import solve as solve_planar  # noqa: E402
-from wrinklestudy.store import write_json  # noqa: E402
-from wrinklestudy.wrinkle import solve  # noqa: E402
+from wrinklestudy.mechanics.laws import Material, mooney_rivlin, neo_hookean, saint_venant_kirchhoff  # noqa: E402
+from wrinklestudy.metrics.measure import measure_position  # noqa: E402
+from wrinklestudy.results.files import write_json  # noqa: E402
 
 LATEX = mooney_rivlin(6.21e4, 1.58e5)
 NEO_HOOKEAN, SVK = neo_hookean(2.2e5), saint_venant_kirchhoff(1.0e6)
@@ -40,7 +35,7 @@ class Sheet(NamedTuple):
     aspect: float
     thickness: float
     strains: tuple[float, ...]
-    settings: Settings = Settings()
+    settings: PlanarSettings = PlanarSettings()
 
 
 SHEETS = {
@@ -52,7 +47,7 @@ SHEETS = {
     "t/W 1.4e-3": Sheet(LATEX, 2.0, 1.4e-3, (0.08, 0.2)),
     "neo-Hookean": Sheet(NEO_HOOKEAN, 2.0, 1.0e-3, (0.04, 0.1, 0.26)),
     "SVK": Sheet(SVK, 2.0, 1.0e-3, (0.03, 0.06, 0.12)),
-    "fvk": Sheet(LATEX, 2.0, 1.0e-3, (0.12, 0.5), Settings(bending="fvk")),
+    "fvk": Sheet(LATEX, 2.0, 1.0e-3, (0.12, 0.5), PlanarSettings(bending="fvk")),
 }
 DEFAULT = MeshSettings()
 FINEST = MeshSettings(40, 60, DEFAULT.grading)

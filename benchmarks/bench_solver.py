@@ -14,13 +14,14 @@ import pytest
 for _name in ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
     os.environ[_name] = "1"
 
-from wrinklestudy import flat, modes, newton, planar, plate, wrinkle  # noqa: E402
-from wrinklestudy.fem.linear import make_solver  # noqa: E402
+from wrinklestudy.equilibrium import flat, modes, newton, planar, wrinkled  # noqa: E402
+from wrinklestudy.equilibrium.problem import PlateProblem, Predicting  # noqa: E402
+from wrinklestudy.fem.factorisation import make_solver  # noqa: E402
+from wrinklestudy.fem.grid import MeshSettings, make_grid  # noqa: E402
 from wrinklestudy.fem.space import Space  # noqa: E402
-from wrinklestudy.material.laws import mooney_rivlin  # noqa: E402
-from wrinklestudy.mesh import MeshSettings, make_grid  # noqa: E402
-from wrinklestudy.problem import PlateProblem, Predicting  # noqa: E402
-from wrinklestudy.section import SectionDerivatives  # noqa: E402
+from wrinklestudy.mechanics import plate  # noqa: E402
+from wrinklestudy.mechanics.laws import mooney_rivlin  # noqa: E402
+from wrinklestudy.mechanics.section import SectionDerivatives  # noqa: E402
 
 LATEX = mooney_rivlin(6.21e4, 1.58e5)
 STRAIN, THICKNESS = 0.12, 1.0e-3
@@ -44,7 +45,7 @@ def setup(request: pytest.FixtureRequest) -> Setup:
     settings = MeshSettings(round(24 * factor), round(36 * factor))
     space = Space(make_grid(2.0, settings=settings))
     start = planar.solve(space, LATEX, STRAIN)
-    state = wrinkle.solve(start, THICKNESS)
+    state = wrinkled.solve(start, THICKNESS)
     assert state.status == "wrinkled"
     problem = PlateProblem(start.flat, start.modes, THICKNESS)
     unknowns = state.position[problem.assembler.free]
@@ -65,7 +66,7 @@ def rounds(setup: Setup) -> int:
     return 5 if setup.problem.assembler.size < 50000 else 2
 
 
-def surface_of(setup: Setup) -> tuple[plate.Surface, SectionDerivatives]:
+def surface_of(setup: Setup) -> tuple[plate.SurfaceGeometry, SectionDerivatives]:
     """Return the geometry and the section at the Gauss points."""
     position = setup.problem.position(setup.unknowns)
     return plate.respond(setup.problem.section, setup.planar.flat.space.derivatives(position))
@@ -136,7 +137,7 @@ def test_critical_modes(timed: Any, setup: Setup) -> None:
 
 def test_wrinkled_state(timed: Any, setup: Setup) -> None:
     """One wrinkled state from its planar state."""
-    state = timed.pedantic(wrinkle.solve, (setup.planar, THICKNESS), rounds=rounds(setup))
+    state = timed.pedantic(wrinkled.solve, (setup.planar, THICKNESS), rounds=rounds(setup))
     timed.extra_info["newton_iterations"] = newton.count(state.history)
 
 
@@ -148,7 +149,7 @@ def test_branch_of_20_strains(timed: Any, setup: Setup) -> None:
     def branch() -> list[int]:
         space = Space(setup.planar.grid)
         states = [
-            wrinkle.solve(planar.solve(space, LATEX, 0.02 * k), THICKNESS) for k in range(1, 21)
+            wrinkled.solve(planar.solve(space, LATEX, 0.02 * k), THICKNESS) for k in range(1, 21)
         ]
         assert all(state.status != "not-converged" for state in states)
         return [newton.count(state.history) for state in states]

@@ -20,7 +20,7 @@ from statistics import median
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from wrinklestudy.store import write_json
+from wrinklestudy.results.files import write_json
 
 # What a job of a wrinkled state imports, each on top of those before
 IMPORTS = {
@@ -30,7 +30,7 @@ IMPORTS = {
     "h5py": "h5py",
     "scipy.sparse": "scipy.sparse.linalg",
     "scikit-fem": "skfem",
-    "wrinklestudy": "wrinklestudy.wrinkle",
+    "wrinklestudy": "wrinklestudy.stages.wrinkle",
 }
 ROUNDS = 15
 

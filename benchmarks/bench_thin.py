@@ -12,7 +12,7 @@ import sys
 import time
 from typing import Any
 
-from wrinklestudy.store import write_json
+from wrinklestudy.results.files import write_json
 
 STRAIN = 0.1
 THICKNESSES = (1.0e-3, 1.0e-4, 2.0e-5)
@@ -20,17 +20,17 @@ THICKNESSES = (1.0e-3, 1.0e-4, 2.0e-5)
 
 def solve(thickness: float) -> dict[str, Any]:
     """Solve one sheet and say what it took."""
-    from wrinklestudy import newton, planar, wrinkle
+    from wrinklestudy.equilibrium import newton, planar, wrinkled
+    from wrinklestudy.fem.grid import make_grid
     from wrinklestudy.fem.space import Space
-    from wrinklestudy.material.laws import mooney_rivlin
-    from wrinklestudy.mesh import make_grid
-    from wrinklestudy.metrics import measure_position
+    from wrinklestudy.mechanics.laws import mooney_rivlin
+    from wrinklestudy.metrics.measure import measure_position
 
     start = time.process_time()
     space = Space(make_grid(2.0, thickness))
     flat = planar.solve(space, mooney_rivlin(6.21e4, 1.58e5), STRAIN)
     middle = time.process_time()
-    state = wrinkle.solve(flat, thickness)
+    state = wrinkled.solve(flat, thickness)
     end = time.process_time()
     if state.position is None:
         raise ArithmeticError(f"t/W = {thickness:g}: {state.reason}")

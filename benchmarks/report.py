@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from wrinklestudy.mesh import MeshSettings
-from wrinklestudy.store import atomic_path
+from wrinklestudy.fem.grid import MeshSettings
+from wrinklestudy.results.files import atomic_path
 
 TEXT = """# Speed
 

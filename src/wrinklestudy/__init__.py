@@ -8,19 +8,19 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from wrinklestudy.fem.grid import MeshSettings
     from wrinklestudy.material.fit import fit
-    from wrinklestudy.material.laws import mooney_rivlin, neo_hookean, saint_venant_kirchhoff
-    from wrinklestudy.mesh import MeshSettings
+    from wrinklestudy.mechanics.laws import mooney_rivlin, neo_hookean, saint_venant_kirchhoff
     from wrinklestudy.sheet import Sheet, State
 
 _HOMES = {
-    "MeshSettings": "wrinklestudy.mesh",
+    "MeshSettings": "wrinklestudy.fem.grid",
     "Sheet": "wrinklestudy.sheet",
     "State": "wrinklestudy.sheet",
     "fit": "wrinklestudy.material.fit",
-    "mooney_rivlin": "wrinklestudy.material.laws",
-    "neo_hookean": "wrinklestudy.material.laws",
-    "saint_venant_kirchhoff": "wrinklestudy.material.laws",
+    "mooney_rivlin": "wrinklestudy.mechanics.laws",
+    "neo_hookean": "wrinklestudy.mechanics.laws",
+    "saint_venant_kirchhoff": "wrinklestudy.mechanics.laws",
 }
 
 __all__ = [

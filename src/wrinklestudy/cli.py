@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from wrinklestudy.material.laws import Material
+    from wrinklestudy.mechanics.laws import Material
     from wrinklestudy.sheet import Sheet
 
 
@@ -74,7 +74,7 @@ def _add_sheet(parser: argparse.ArgumentParser) -> None:
 
 
 def _material(arguments: argparse.Namespace) -> "Material":
-    from wrinklestudy.material import laws
+    from wrinklestudy.mechanics import laws
 
     allowed = _CONSTANTS[arguments.law]
     given = {k: getattr(arguments, k) for k in ("c10", "c01", "young", "poisson")}
@@ -92,7 +92,7 @@ def _material(arguments: argparse.Namespace) -> "Material":
 
 
 def _sheet(arguments: argparse.Namespace) -> "Sheet":
-    from wrinklestudy.mesh import MeshSettings
+    from wrinklestudy.fem.grid import MeshSettings
     from wrinklestudy.sheet import Sheet
 
     cells = {
@@ -134,7 +134,7 @@ def _progress(strains: Sequence[float]) -> Iterable[float]:
 
 
 def _stability(arguments: argparse.Namespace) -> dict[str, Any]:
-    from wrinklestudy import stability
+    from wrinklestudy.equilibrium import stability
 
     sheet = _sheet(arguments)
     curve = stability.critical_curve(sheet.space, sheet.material, sheet.settings)
@@ -195,7 +195,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         print(f"wrinklestudy {arguments.command}: {error}", file=sys.stderr)
         return 2
     if arguments.json:
-        from wrinklestudy.store import format_json
+        from wrinklestudy.results.files import format_json
 
         print(format_json(result), end="")
     else:

@@ -5,13 +5,13 @@ from functools import cached_property
 from time import perf_counter
 from typing import Any
 
-from wrinklestudy import newton, planar, stability, wrinkle
-from wrinklestudy.cases import resolved_thickness
-from wrinklestudy.fem.space import Parity, Space
-from wrinklestudy.material.laws import Material
-from wrinklestudy.mesh import MeshSettings, make_grid
-from wrinklestudy.metrics import Measures, measure_position
-from wrinklestudy.section import BENDING_LAWS, Bending
+from wrinklestudy.equilibrium import newton, planar, stability, wrinkled
+from wrinklestudy.fem.grid import MeshSettings, make_grid
+from wrinklestudy.fem.space import Space
+from wrinklestudy.mechanics.laws import Material
+from wrinklestudy.metrics.measure import Measures, measure_position
+from wrinklestudy.results.cases import resolved_thickness
+from wrinklestudy.vocabulary import BENDING_LAWS, Bending, Parity
 
 PARITIES = ("antisymmetric", "symmetric")
 
@@ -23,7 +23,7 @@ class State:
     Parameters
     ----------
     strain : float
-    equilibrium : wrinkle.Equilibrium
+    equilibrium : wrinkled.Equilibrium
         Position, energy, inertia and history.
     measures : Measures or None
         What is measured on the mid-line, in units of W; None where it did not converge.
@@ -32,7 +32,7 @@ class State:
     """
 
     strain: float
-    equilibrium: wrinkle.Equilibrium
+    equilibrium: wrinkled.Equilibrium
     measures: Measures | None
     seconds: float
 
@@ -132,18 +132,18 @@ class Sheet:
         return Space(make_grid(self.aspect, resolved_thickness(self.thickness), self.mesh))
 
     @property
-    def settings(self) -> planar.Settings:
+    def settings(self) -> planar.PlanarSettings:
         """Settings of the planar stage."""
-        return planar.Settings(self.bending, self.parity)
+        return planar.PlanarSettings(self.bending, self.parity)
 
-    def solve(self, strain: float, settings: wrinkle.Settings | None = None) -> State:
+    def solve(self, strain: float, settings: wrinkled.WrinkleSettings | None = None) -> State:
         """Return the state of the sheet at a strain.
 
         Parameters
         ----------
         strain : float
             eps = (L' - L)/L of the clamps, 0 < eps <= 1.
-        settings : wrinkle.Settings, optional
+        settings : wrinkled.WrinkleSettings, optional
 
         Raises
         ------
@@ -154,7 +154,7 @@ class Sheet:
             raise ValueError(f"strain = {strain:g}: must be > 0 and <= 1")
         start = perf_counter()
         flat = planar.solve(self.space, self.material, strain, self.settings)
-        found = wrinkle.solve(flat, self.thickness, settings)
+        found = wrinkled.solve(flat, self.thickness, settings)
         seconds = perf_counter() - start
         measures = None
         if found.status != "not-converged" and found.position is not None:

@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from wrinklestudy.figures.inputs import Inputs
-from wrinklestudy.metrics.table import CASE, COLUMNS, write_table
-from wrinklestudy.store import write_h5
+from wrinklestudy.results.files import write_h5
+from wrinklestudy.results.table import CASE, COLUMNS, write_table
+from wrinklestudy.study.figures.inputs import Inputs
 
 STRAINS = (0.02, 0.06, 0.1, 0.12, 0.2, 0.32, 0.36, 0.46)
 BIRTH, DECAY, HOLE = 0.03, 0.4, 0.2
@@ -123,16 +123,16 @@ def inputs(tmp_path_factory) -> Inputs:
 @pytest.fixture(scope="session")
 def materials(tmp_path_factory) -> Inputs:
     """The inputs of the figure of materials."""
-    from wrinklestudy.material import fit
+    from wrinklestudy.stages import material
 
     data = Path(__file__).parents[2] / "data"
     folder = tmp_path_factory.mktemp("materials")
     latex, rubber = data / "latex_panaitescu2019.csv", data / "treloar1944.csv"
-    fit.run(latex, "mooney-rivlin", "latex", None, None, folder / "latex.json")
-    fit.run(latex, "neo-hookean", "nh", None, None, folder / "nh.json")
-    fit.run(latex, "svk", "svk", None, None, folder / "svk.json")
-    fit.run(rubber, "mooney-rivlin", "uni", (1, 1.65), ["uniaxial"], folder / "uni.json")
-    fit.run(rubber, "mooney-rivlin", "all", (1, 1.65), None, folder / "all.json")
+    material.run(latex, "mooney-rivlin", "latex", None, None, folder / "latex.json")
+    material.run(latex, "neo-hookean", "nh", None, None, folder / "nh.json")
+    material.run(latex, "svk", "svk", None, None, folder / "svk.json")
+    material.run(rubber, "mooney-rivlin", "uni", (1, 1.65), ["uniaxial"], folder / "uni.json")
+    material.run(rubber, "mooney-rivlin", "all", (1, 1.65), None, folder / "all.json")
     names = ("latex", "nh", "svk", "uni", "all")
     return Inputs(materials=tuple(folder / f"{name}.json" for name in names), data=(latex, rubber))
 

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from wrinklestudy import theory
-from wrinklestudy.claims.sheet import Sheet
-from wrinklestudy.claims.study import Material, Study
 from wrinklestudy.material.result import Fit
+from wrinklestudy.studies.panaitescu2019 import theory
+from wrinklestudy.study.claims.sheet import SheetStates
+from wrinklestudy.study.claims.tables import FittedMaterial, StudyTables
 
 STRAIN = np.round(np.arange(0.02, 0.501, 0.02), 12)
 NEVER = {"birth": np.nan, "decay": np.nan}
@@ -31,7 +31,7 @@ def material(name="latex", law="mooney-rivlin", constants=None, rms=100.0, note=
         1.0,
         source,
     )
-    return Material(name, fit, note)
+    return FittedMaterial(name, fit, note)
 
 
 def shape(strain, birth, peak, decay):
@@ -91,7 +91,7 @@ def sheet(
         "sheet_amplitude_y_over_width": np.where(on, 0.03, np.nan),
     } | {name: np.broadcast_to(value, STRAIN.shape) for name, value in columns.items()}
     height, phi = table["amplitude_over_thickness"], table["phi_squared"]
-    return Sheet(
+    return SheetStates(
         *(material, law, bending, parity, aspect, thickness),
         status=tuple("wrinkled" if one else "flat" for one in on),
         columns=table,
@@ -133,7 +133,7 @@ def world(materials=MATERIALS, wanted=("latex", 2.0, 1e-3), **changes):
     assert changes.keys() <= SHEETS.keys()
     kept = {name: SHEETS[name] | (changes.get(name) or {}) for name in SHEETS}
     sheets = tuple(sheet(**kept[name]) for name in kept if changes.get(name, {}) is not None)
-    return Study(sheets, materials, wanted)
+    return StudyTables(sheets, materials, wanted)
 
 
 def all_bending(**changes):

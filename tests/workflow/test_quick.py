@@ -5,7 +5,7 @@ import json
 
 import pytest
 
-from wrinklestudy.figures import FIGURES
+from wrinklestudy.studies.panaitescu2019.figures import FIGURES
 
 pytestmark = pytest.mark.workflow
 

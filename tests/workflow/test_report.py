@@ -8,8 +8,8 @@ import subprocess
 
 import pytest
 
-from wrinklestudy.config_figures import CONTENTS, TABLES
-from wrinklestudy.figures import FIGURES
+from wrinklestudy.studies.panaitescu2019.figures import FIGURES
+from wrinklestudy.study.config_figures import CONTENTS, TABLES
 
 pytestmark = pytest.mark.workflow
 

@@ -5,8 +5,8 @@ from collections import Counter
 import pytest
 import yaml
 
-from wrinklestudy.config import parse_config
-from wrinklestudy.figures import FIGURES
+from wrinklestudy.studies.panaitescu2019.figures import FIGURES
+from wrinklestudy.study.config import parse_config
 
 pytestmark = pytest.mark.workflow
 
@@ -174,7 +174,7 @@ def test_another_bending_law_reruns_the_sheets_that_do_not_name_their_own(study)
 
 
 def test_an_edit_of_the_plate_reruns_the_states_and_not_the_fit(study):
-    path = study.folder / "src/wrinklestudy/plate.py"
+    path = study.folder / "src/wrinklestudy/mechanics/plate.py"
     path.write_text(path.read_text() + "\n\ndef unused() -> int:\n    return 1\n")
     ran = rules(study.planned())
     assert ran["planar"] == ran["wrinkle"] == 6
@@ -184,7 +184,7 @@ def test_an_edit_of_the_plate_reruns_the_states_and_not_the_fit(study):
 
 
 def test_an_edit_of_one_figure_redraws_that_figure(study):
-    path = study.folder / "src/wrinklestudy/figures/fig02_sheet.py"
+    path = study.folder / "src/wrinklestudy/studies/panaitescu2019/figures/fig02_sheet.py"
     path.write_text(path.read_text() + "\n\nUNUSED = 1\n")
     jobs = study.planned()
     assert figures(jobs) == {"fig02_sheet"}
@@ -192,12 +192,14 @@ def test_an_edit_of_one_figure_redraws_that_figure(study):
 
 
 def test_an_edit_of_the_claims_judges_again_and_draws_nothing(study):
-    path = study.folder / "src/wrinklestudy/claims/registry.py"
+    path = study.folder / "src/wrinklestudy/studies/panaitescu2019/claims/registry.py"
     path.write_text(path.read_text() + "\n\nUNUSED = 1\n")
     assert rules(study.planned()) == {"claims": 1, "gate": 1}
 
 
-@pytest.mark.parametrize("name", ["src/wrinklestudy/plate.py", "workflow/scripts/planar.py"])
+@pytest.mark.parametrize(
+    "name", ["src/wrinklestudy/mechanics/plate.py", "workflow/scripts/planar.py"]
+)
 def test_an_edit_of_a_comment_reruns_nothing(study, name):
     path = study.folder / name
     path.write_text(f"# A remark.\n{path.read_text()}\n# Another one.\n")

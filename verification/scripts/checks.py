@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from wrinklestudy.joblog import log_to
+from wrinklestudy.stages.log import log_to
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -10,5 +10,5 @@ if TYPE_CHECKING:
 with log_to(snakemake.log[0]):
     from importlib import import_module
 
-    module = import_module(f"wrinklestudy.verification.{snakemake.wildcards.group}")
+    module = import_module(f"verification.{snakemake.wildcards.group}")
     module.run(snakemake.output[0])

@@ -2,12 +2,12 @@
 
 from typing import TYPE_CHECKING
 
-from wrinklestudy.joblog import log_to
+from wrinklestudy.stages.log import log_to
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
 
 with log_to(snakemake.log[0]):
-    from wrinklestudy.verification import mutations
+    from verification import mutations
 
     mutations.run(snakemake.output[0])

@@ -7,17 +7,17 @@ import sys
 from dataclasses import astuple
 from pathlib import Path
 
-from wrinklestudy import config_figures
-from wrinklestudy.cases import (
+from wrinklestudy.study import config_figures
+from wrinklestudy.results.cases import (
     NAME_PATTERN,
     VALUE_PATTERN,
     Case,
-    Paths,
-    Sheet,
+    StudySheet,
     parse_value,
 )
-from wrinklestudy.config import ConfigError, parse_config
-from wrinklestudy.digest import code_digest
+from wrinklestudy.results.paths import Paths
+from wrinklestudy.study.config import ConfigError, parse_config
+from wrinklestudy.study.digest import code_digest
 
 # a file given with --configfile stands first: it goes over config.yaml
 CONFIG_FILES = " over ".join(os.path.relpath(file) for file in workflow.configfiles)
@@ -65,7 +65,7 @@ def material_of_model(wildcards):
 
 
 def sheet_of(wildcards):
-    return Sheet(
+    return StudySheet(
         wildcards.material,
         parse_value(wildcards.aspect),
         parse_value(wildcards.thickness),
@@ -135,7 +135,10 @@ def study_digest():
     """Digest of all that the results follow from: config, code, measured data."""
     stages = ("material", "mesh", "planar", "stability", "wrinkle", "metrics", "summary", "claims")
     codes = [code(stage) for stage in (*stages, "gate")]
-    codes += [code("figures", f"wrinklestudy.figures.{name}") for name in STUDY.figures.names]
+    codes += [
+        code("figures", f"wrinklestudy.studies.panaitescu2019.figures.{name}")
+        for name in STUDY.figures.names
+    ]
     files = {material.data for material in STUDY.materials.values()}
     files |= {path for name in STUDY.figures.names for path in config_figures.measured(STUDY, name)}
     digest = hashlib.sha256("\0".join([STUDY.model_dump_json(), *codes]).encode())

@@ -19,6 +19,8 @@ rule figures:
         # for the caption
         cases=of_figure(config_figures.cases_text),
         mesh=of_figure(config_figures.mesh_text),
-        code=lambda wildcards: code("figures", f"wrinklestudy.figures.{wildcards.figure}"),
+        code=lambda wildcards: code(
+            "figures", f"wrinklestudy.studies.panaitescu2019.figures.{wildcards.figure}"
+        ),
     script:
         "../scripts/figures.py"

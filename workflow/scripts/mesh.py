@@ -2,13 +2,13 @@
 
 from typing import TYPE_CHECKING
 
-from wrinklestudy.joblog import log_to
+from wrinklestudy.stages.log import log_to
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
 
 with log_to(snakemake.log[0]):
-    from wrinklestudy import mesh
+    from wrinklestudy.stages import mesh
 
     mesh.run(
         aspect=snakemake.params.aspect,

@@ -13,10 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 
-from wrinklestudy.fem.linear import Solver, make_solver
+from wrinklestudy.fem.factorisation import Solver, make_solver
 from wrinklestudy.fem.space import Space
-
-Array = NDArray[np.float64]
+from wrinklestudy.typing import Array
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,7 +12,7 @@ from skfem import Element
 from skfem.element import DiscreteField
 from skfem.refdom import RefQuad
 
-Array = NDArray[np.float64]
+from wrinklestudy.typing import Array
 
 # Corner of the reference square per vertex, in scikit-fem's order, and (x, y) derivative order per
 # dof.

@@ -11,9 +11,9 @@ from skfem.assembly.dofs import Dofs
 from skfem.quadrature import get_quadrature
 
 from wrinklestudy.fem.element import CORNERS, ORDERS, ElementQuadHermite, reference_basis
-from wrinklestudy.mesh import Grid
+from wrinklestudy.fem.grid import Grid
+from wrinklestudy.typing import Array
 
-Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Parity = Literal["antisymmetric", "symmetric"]
 

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wrinklestudy.material.homogeneous import MODES
-from wrinklestudy.material.laws import Array
+from wrinklestudy.typing import Array
 
 _STRETCH = ("stretch", "strain")
 _STRESS = ("stress_pa", "stress_mpa")

@@ -11,9 +11,9 @@ import numpy as np
 
 from wrinklestudy.material.data import Measurement, read
 from wrinklestudy.material.homogeneous import MODES, mooney_rivlin_basis, nominal_stress
-from wrinklestudy.material.laws import LAWS, Array
 from wrinklestudy.material.result import CONSTANTS, Fit, material_of
-from wrinklestudy.store import write_json
+from wrinklestudy.mechanics.laws import LAWS
+from wrinklestudy.typing import Array
 
 # Stretches that count as initial when svk is fitted without a window.
 INITIAL_STRETCH = (0.8, 1.25)
@@ -156,37 +156,3 @@ def _least_squares(
     inverse = np.linalg.inv(r)
     covariance[np.ix_(free, free)] = variance * (inverse @ inverse.T)
     return estimate, covariance
-
-
-def run(
-    csv: str | Path,
-    law: str,
-    name: str,
-    stretch: tuple[float, float] | None,
-    modes: Sequence[str] | None,
-    output: str | Path,
-) -> None:
-    """Fit one material and write its file: the material stage.
-
-    Parameters
-    ----------
-    csv : str or Path
-        Measured data.
-    law : str
-        One of `LAWS`.
-    name : str
-        Name of the material in the study.
-    stretch, modes : optional
-        As in `fit`; None takes the default.
-    output : str or Path
-        JSON file to write, as `Fit.as_dict` with the name and the header note of the data.
-
-    Raises
-    ------
-    ValueError
-        As `fit`.
-    """
-    measurement = read(csv)
-    result = fit(measurement, law, stretch=stretch, modes=modes)
-    content = {"name": name, **result.as_dict(), "source_note": measurement.note}
-    write_json(output, content)

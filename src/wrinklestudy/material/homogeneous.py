@@ -14,17 +14,18 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from wrinklestudy.material.laws import Array, Material, MooneyRivlin, SaintVenantKirchhoff
+from wrinklestudy.mechanics.laws import Material, MooneyRivlin, SaintVenantKirchhoff
+from wrinklestudy.typing import Array
 
 MODES = ("uniaxial", "biaxial", "shear")
 
-Modes = str | Sequence[str] | NDArray[np.str_]
+Deformations = str | Sequence[str] | NDArray[np.str_]
 
 # T = 2 (lambda - lambda^k) (C10 + C01 lambda^m): (k, m) of each mode
 _EXPONENTS = {"uniaxial": (-2.0, -1.0), "biaxial": (-5.0, 2.0), "shear": (-3.0, 0.0)}
 
 
-def _per_point(table: Mapping[str, tuple[float, ...]], mode: Modes, stretch: Array) -> Array:
+def _per_point(table: Mapping[str, tuple[float, ...]], mode: Deformations, stretch: Array) -> Array:
     """Look up one row of ``table`` per stretch, shape ``(..., columns)``."""
     modes = np.broadcast_to(np.asarray(mode, dtype=np.str_), stretch.shape)
     unknown = sorted(set(modes.ravel().tolist()) - set(table))
@@ -35,7 +36,7 @@ def _per_point(table: Mapping[str, tuple[float, ...]], mode: Modes, stretch: Arr
     return np.array(rows, dtype=np.float64).reshape(*stretch.shape, width)
 
 
-def mooney_rivlin_basis(stretch: ArrayLike, mode: Modes = "uniaxial") -> Array:
+def mooney_rivlin_basis(stretch: ArrayLike, mode: Deformations = "uniaxial") -> Array:
     """Return the two columns whose combination with (C10, C01) is the nominal stress.
 
     T = C10 B0 + C01 B1 with B0 = 2 (lambda - lambda^k), B1 = B0 lambda^m and (k, m) = (-2, -1)
@@ -67,7 +68,7 @@ def mooney_rivlin_basis(stretch: ArrayLike, mode: Modes = "uniaxial") -> Array:
 
 
 def saint_venant_kirchhoff_basis(
-    stretch: ArrayLike, mode: Modes = "uniaxial", poisson: float = 0.5
+    stretch: ArrayLike, mode: Deformations = "uniaxial", poisson: float = 0.5
 ) -> Array:
     """Return the nominal stress of a Saint Venant-Kirchhoff sheet per unit of Young's modulus.
 
@@ -103,7 +104,9 @@ def saint_venant_kirchhoff_basis(
     return 0.5 * factor * lam * (lam**2 - 1.0)
 
 
-def nominal_stress(material: Material, stretch: ArrayLike, mode: Modes = "uniaxial") -> Array:
+def nominal_stress(
+    material: Material, stretch: ArrayLike, mode: Deformations = "uniaxial"
+) -> Array:
     """Return the nominal stress in Pa of a material in a homogeneous deformation.
 
     Parameters

@@ -6,9 +6,8 @@ where the nodes happen to lie (nodes alone miss a wrinkle's peak by up to 8%).
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from wrinklestudy.typing import Array
 
 # Parity of the deformed x, y, z under X -> -X: x is odd, y and z are even.
 _ALONG = (-1.0, 1.0, 1.0)

@@ -11,14 +11,12 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wrinklestudy.metrics.profile import Profile, profile_from_state
+from wrinklestudy.typing import Array
 
 if TYPE_CHECKING:
     from scipy.interpolate import CubicSpline
-
-Array = NDArray[np.float64]
 
 # An extremum counts if it stands out by this part of the range of z: ripples of noise do not.
 PROMINENCE = 0.1

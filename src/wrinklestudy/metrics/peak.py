@@ -1,9 +1,9 @@
 """The largest value of a curve that is known at a few strains."""
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
+from wrinklestudy.typing import Array
 
 
 def peak(strain: ArrayLike, value: ArrayLike) -> tuple[float, float]:

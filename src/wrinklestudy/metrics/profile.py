@@ -7,11 +7,9 @@ from os import PathLike, fspath
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wrinklestudy.metrics.interpolant import evaluate, subdivided, unfolded_across
-
-Array = NDArray[np.float64]
+from wrinklestudy.typing import Array
 
 SAMPLES_PER_CELL = 64
 LEAST_POINTS = 8

@@ -1,0 +1,1 @@
+"""Equilibria of the sheet: flat, wrinkled, their stability, branches of them."""

@@ -1,0 +1,271 @@
+"""Critical thicknesses of the flat state, their modes and the reduced energy of small wrinkles.
+
+For a deflection w of a flat state the energy is t/2 w.S w + t^3/2 w.B w, S (stress) and B (bending)
+independent of t. The eigenproblem -S phi = tau^2 B phi gives critical thicknesses tau_1 > tau_2 >
+...: the flat sheet is unstable exactly when t < tau_1.
+
+With w = sum q_i phi_i and the in-plane displacement that relaxes the stress which w causes at
+second order, the energy above the flat state is, for each unit of thickness,
+
+    1/2 sum (t^2 - tau_i^2) q_i^2 + 1/2 sum z_P G_PQ z_Q,    z_P = q_i q_j for the pair P = (i, j).
+
+All but t is independent of the thickness, so that it seeds the wrinkled state of every sheet
+(`reduced`).
+"""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import sparse
+
+from wrinklestudy.equilibrium.flat import Flat
+from wrinklestudy.fem.assembly import Assembler, shared_assembler
+from wrinklestudy.fem.factorisation import NotPositiveDefiniteError, Solver, symmetric
+from wrinklestudy.mechanics import membrane, plate
+from wrinklestudy.typing import Array
+from wrinklestudy.vocabulary import Bending, Parity
+
+# A mode is one of the corner when more than half of its bending energy sits beyond these parts of
+# half the length and half the width.
+_CORNER = (0.8, 0.6)
+CORNER_PART = 0.5
+# Thicknesses that are tried in turn as an upper bound of all tau_i; near tau_1 the eigenvalues are
+# well apart. At small strains tau_1 goes like the root of the strain.
+_FIRST_TRIAL = 1.6e-3
+_TRIAL_OVER_ROOT = 0.01
+_SMALLEST_TRIAL = 1.0e-6
+_LARGEST_TRIAL = 1.0
+_LANCZOS = 4  # vectors for each eigenvalue
+_EIGENVALUE_TOLERANCE = 1.0e-10
+
+
+@dataclass(frozen=True)
+class Modes:
+    """Leading modes of a flat state within one parity.
+
+    Parameters
+    ----------
+    parity : {'antisymmetric', 'symmetric'}
+        Of the deflection across y = 0.
+    bending : {'thinning', 'fixed-thickness', 'fvk'}
+        The bending law.
+    squared : (m,) array
+        tau_i^2 in units of W^2, falling; negative where no thickness makes the mode unstable.
+    shapes : (m, size) array
+        Modes as dof vectors with phi_i . B phi_j = delta_ij.
+    corner : (m,) array
+        Part of the bending energy that sits at the corner of clamp and free edge.
+    quartic : (p, p) array
+        G of the reduced energy over the pairs i <= j (both orders of a pair counted).
+    relaxation : (p, 2, size) array
+        In-plane displacement that belongs to z_P = 1.
+    """
+
+    parity: Parity
+    bending: Bending
+    squared: Array
+    shapes: Array
+    corner: Array
+    quartic: Array
+    relaxation: Array
+
+    @property
+    def thickness(self) -> Array:
+        """Critical thicknesses tau_i in units of W, zero where the mode is always stable."""
+        return np.sqrt(np.maximum(self.squared, 0.0))
+
+    @property
+    def wrinkles(self) -> NDArray[np.bool_]:
+        """Which modes are wrinkles of the sheet, not flaps of its corners."""
+        return self.corner < CORNER_PART
+
+    @property
+    def critical_thickness(self) -> float:
+        """Largest critical thickness tau_1 of a wrinkle, in units of W."""
+        return float(self.thickness[self.wrinkles].max(initial=0.0))
+
+
+def deflection_matrices(
+    flat: Flat,
+    bending: Bending,
+    parity: Parity,
+    keeps_x: bool = True,
+    keeps_y: bool = True,
+) -> tuple[sparse.csr_array, sparse.csr_array, Assembler, Array]:
+    """Return the upper triangles of S and B, their assembler and the point values of B."""
+    space = flat.space
+    position = np.zeros((3, space.size))
+    position[:2] = flat.position
+    stress, bent = plate.deflection(flat.law, bending, space.derivatives(position))
+    if not np.isfinite(bent).all():
+        raise ArithmeticError(
+            f"flat state at strain {flat.strain:g}: the law leaves no thickness somewhere"
+        )
+    assembler = shared_assembler(space, space.free(parity, keeps_x, keeps_y)[2:])
+    return assembler.tangent([stress]), assembler.tangent([bent.copy()]), assembler, bent
+
+
+class Spectrum(NamedTuple):
+    """Leading critical thicknesses squared, modes and the part of their energy at the corner."""
+
+    squared: Array
+    shapes: Array
+    corner: Array
+
+
+def spectrum(
+    flat: Flat,
+    bending: Bending = "thinning",
+    parity: Parity = "antisymmetric",
+    count: int = 8,
+) -> Spectrum:
+    """Return the largest critical thicknesses of a flat state and their modes, see `Modes`.
+
+    Parameters
+    ----------
+    flat : Flat
+        The flat equilibrium.
+    bending : {'thinning', 'fixed-thickness', 'fvk'}
+        The bending law.
+    parity : {'antisymmetric', 'symmetric'}
+        Of the deflection across y = 0.
+    count : int
+        Number of modes.
+
+    Raises
+    ------
+    ArithmeticError
+        If the flat sheet is unstable at any thickness up to W.
+    """
+    stress, bent, assembler, points = deflection_matrices(flat, bending, parity)
+    trial = min(_FIRST_TRIAL, max(_TRIAL_OVER_ROOT * abs(flat.strain) ** 0.5, _SMALLEST_TRIAL))
+    squared, vectors = _eigen(stress, bent, count, assembler.solver, trial)
+    shapes = np.zeros((count, flat.space.size))
+    shapes[:, assembler.free[0]] = vectors.T
+    return Spectrum(squared, shapes, _corner_part(flat, points, shapes))
+
+
+def critical_thickness(
+    flat: Flat, bending: Bending = "thinning", parity: Parity = "antisymmetric"
+) -> float:
+    """Return tau_1, the largest critical thickness of a wrinkle, in units of W.
+
+    Modes of the corners are passed over; zero where no thickness wrinkles.
+    """
+    count = 2
+    while True:
+        squared, _, corner = spectrum(flat, bending, parity, count)
+        wrinkles = squared[corner < CORNER_PART]
+        if len(wrinkles) > 0 or squared[-1] <= 0.0:
+            return float(np.sqrt(max(wrinkles.max(initial=0.0), 0.0)))
+        count *= 2
+
+
+def critical_modes(
+    flat: Flat,
+    bending: Bending = "thinning",
+    parity: Parity = "antisymmetric",
+    count: int = 8,
+) -> Modes:
+    """Return the leading modes of a flat state with the reduced energy of their amplitudes.
+
+    See `spectrum` for the parameters and errors.
+    """
+    squared, shapes, corner = spectrum(flat, bending, parity, count)
+    quartic, relaxation = _reduced(flat, shapes)
+    return Modes(parity, bending, squared, shapes, corner, quartic, relaxation)
+
+
+def _eigen(
+    stress: sparse.csr_array, bent: sparse.csr_array, count: int, solver: Solver, trial: float
+) -> tuple[Array, Array]:
+    """Solve -S phi = mu B phi for the largest mu below a sigma that makes S + sigma B definite.
+
+    The first sigma to try is the square of a trial thickness.
+
+    In the form B phi = theta (S + sigma B) phi, theta = 1/(sigma - mu), the right side is definite
+    even where B is not: for Mooney-Rivlin d2W/dg12^2 is negative beyond a shear that the corner
+    reaches.
+    """
+    from scipy.sparse.linalg import LinearOperator, eigsh
+
+    while True:
+        shifted = sparse.csr_array(
+            (stress.data + trial**2 * bent.data, stress.indices, stress.indptr), shape=stress.shape
+        )
+        try:
+            solver.factorise(shifted)
+            break
+        except NotPositiveDefiniteError:
+            trial *= 2.0
+            if trial > _LARGEST_TRIAL:
+                raise ArithmeticError("the flat sheet is unstable at any thickness") from None
+    size = stress.shape[0]
+    theta, vectors = eigsh(
+        symmetric(bent),
+        k=count,
+        M=symmetric(shifted),
+        Minv=LinearOperator((size, size), matvec=solver.solve, dtype=np.float64),
+        which="LA",
+        v0=np.ones(size),
+        ncv=_LANCZOS * count,
+        tol=_EIGENVALUE_TOLERANCE,
+    )
+    order = np.argsort(theta)[::-1]
+    theta, vectors = theta[order], vectors[:, order]
+    if theta[-1] <= 0.0:
+        raise ArithmeticError(f"fewer than {count} modes have a positive bending energy")
+    vectors = vectors / np.sqrt(theta)  # phi . B phi = 1
+    largest = np.abs(vectors).argmax(axis=0)
+    return trial**2 - 1.0 / theta, vectors * np.sign(vectors[largest, np.arange(count)])
+
+
+def _corner_part(flat: Flat, bent: Array, shapes: Array) -> Array:
+    """Return the part of the bending energy of each mode at the corner of the sheet."""
+    space = flat.space
+    values = space.derivatives(shapes)
+    entries = [(a, b) for a in range(5) for b in range(a, 5)]
+    density = np.zeros(values.shape[1:])
+    for row, (a, b) in enumerate(entries):
+        density += (1.0 if a == b else 2.0) * bent[row] * values[a] * values[b]
+    by_cell = (density * space.measure).sum(axis=1)
+    x, y = np.meshgrid(space.grid.x[:-1], space.grid.y[:-1], indexing="ij")
+    corner = (x > _CORNER[0] * space.grid.x[-1] - 1e-9) & (y > _CORNER[1] * space.grid.y[-1] - 1e-9)
+    part: Array = by_cell[:, corner.ravel()].sum(axis=1) / by_cell.sum(axis=1)
+    return part
+
+
+def pairs(count: int) -> list[tuple[int, int]]:
+    """Return the pairs of modes i <= j in the order of `Modes.quartic`."""
+    return [(i, j) for i in range(count) for j in range(i, count)]
+
+
+def _reduced(flat: Flat, shapes: Array) -> tuple[Array, Array]:
+    """Return the quartic form G and the in-plane displacements of the reduced energy."""
+    space = flat.space
+    assembler = shared_assembler(space, space.free()[:2], 2)
+    solver = assembler.solver
+    tangents = space.derivatives(flat.position, 2)
+    _, _, blocks = membrane.expansion(flat.law, tangents)
+    solver.factorise(assembler.tangent(blocks))
+    stiffness = membrane.stiffness(flat.law, tangents)
+    slopes = space.derivatives(shapes, 2)
+    strains, forces, loads = [], [], []
+    for i, j in pairs(len(shapes)):
+        twice = 1.0 if i == j else 2.0
+        first, second = slopes[:, i], slopes[:, j]
+        mixed = 0.5 * (first[0] * second[1] + first[1] * second[0])
+        strain = twice * np.stack([first[0] * second[0], first[1] * second[1], mixed])
+        force = np.einsum("km...,m...->k...", stiffness, strain)
+        load = assembler.residual(membrane.gradient(force, tangents))
+        strains.append(strain.reshape(-1))
+        forces.append((force * space.measure).reshape(-1))
+        loads.append(load[assembler.free])
+    load_matrix = np.array(loads)
+    answers = -solver.solve(load_matrix.T).T
+    relaxation = np.zeros((len(loads), 2, space.size))
+    relaxation[:, assembler.free] = answers
+    quartic = np.array(strains) @ np.array(forces).T + load_matrix @ answers.T
+    return 0.5 * (quartic + quartic.T), relaxation

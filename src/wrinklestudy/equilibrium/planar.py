@@ -1,0 +1,91 @@
+"""The planar stage: flat state of one material, L/W and strain, with its critical thicknesses."""
+
+from dataclasses import dataclass
+
+from wrinklestudy.equilibrium.flat import Flat
+from wrinklestudy.equilibrium.flat import solve as solve_flat
+from wrinklestudy.equilibrium.modes import Modes, critical_modes
+from wrinklestudy.fem.grid import Grid
+from wrinklestudy.fem.space import Space
+from wrinklestudy.mechanics import laws
+from wrinklestudy.vocabulary import Bending, Parity
+
+
+@dataclass(frozen=True)
+class PlanarSettings:
+    """Options of the planar stage.
+
+    Parameters
+    ----------
+    bending : {'thinning', 'fixed-thickness', 'fvk'}
+        The bending law.
+    parity : {'antisymmetric', 'symmetric'}
+        Of the deflection across y = 0.
+    modes : int
+        Number of critical thicknesses and modes.
+    """
+
+    bending: Bending = "thinning"
+    parity: Parity = "antisymmetric"
+    modes: int = 8
+
+
+@dataclass(frozen=True)
+class Planar:
+    """A flat state with its modes and its material; ``flat`` and ``modes`` are None if it failed.
+
+    Parameters
+    ----------
+    grid : Grid
+    material : Material
+    name : str
+        Name of the material in the study.
+    strain : float
+        eps of the clamps.
+    settings : Settings
+    flat : Flat or None
+    modes : Modes or None
+    reason : str
+        Why there is no flat state; empty if there is one.
+    """
+
+    grid: Grid
+    material: laws.Material
+    name: str
+    strain: float
+    settings: PlanarSettings
+    flat: Flat | None
+    modes: Modes | None
+    reason: str = ""
+
+
+def solve(
+    grid: Grid | Space,
+    material: laws.Material,
+    strain: float,
+    settings: PlanarSettings | None = None,
+    name: str = "material",
+) -> Planar:
+    """Return the flat state at a strain with its critical thicknesses and modes.
+
+    A state that does not converge is returned as such, with the reason.
+
+    Parameters
+    ----------
+    grid : Grid or Space
+        Grid of the quarter sheet.
+    material : Material
+    strain : float
+        eps = (L' - L)/L of the clamps.
+    settings : Settings, optional
+    name : str
+        Name of the material.
+    """
+    settings = settings or PlanarSettings()
+    space = grid if isinstance(grid, Space) else Space(grid)
+    try:
+        flat = solve_flat(space, material.law, strain)
+        modes = critical_modes(flat, settings.bending, settings.parity, settings.modes)
+    except ArithmeticError as error:
+        return Planar(space.grid, material, name, strain, settings, None, None, str(error))
+    return Planar(space.grid, material, name, strain, settings, flat, modes)

@@ -1,0 +1,270 @@
+"""Sparse factorisations of symmetric matrices behind one small interface.
+
+PARDISO (Intel MKL, through pypardiso) where its wheels exist, SuperLU in symmetric mode
+elsewhere. Matrices are given by their upper triangle in CSR form.
+"""
+
+import importlib.util
+import os
+import sys
+from pathlib import Path
+from typing import Any, Protocol
+
+import numpy as np
+from scipy import sparse
+
+from wrinklestudy.typing import Array
+
+
+class NotPositiveDefiniteError(ArithmeticError):
+    """The matrix of a Cholesky factorisation is not positive definite."""
+
+
+class Solver(Protocol):
+    """A factorisation that is reused for matrices of one sparsity pattern."""
+
+    def factorise(self, upper: sparse.csr_array) -> None:
+        """Factorise a positive definite matrix.
+
+        Raises
+        ------
+        NotPositiveDefiniteError
+            If it is not positive definite.
+        """
+
+    def solve(self, rhs: Array) -> Array:
+        """Solve for one right-hand side (n,) or several (n, k)."""
+
+    def negative(self, upper: sparse.csr_array) -> int:
+        """Return the number of negative eigenvalues (Sylvester's law of inertia)."""
+
+
+class IndefiniteSolver(Protocol):
+    """A factorisation of symmetric matrices that need not be definite."""
+
+    negative: int  # negative eigenvalues of the last factorised matrix
+
+    def factorise(self, upper: sparse.csr_array) -> None:
+        """Factorise a symmetric matrix."""
+
+    def solve(self, rhs: Array) -> Array:
+        """Solve for one right-hand side (n,) or several (n, k)."""
+
+
+def make_indefinite_solver() -> IndefiniteSolver:
+    """Return L D L^T by PARDISO where pypardiso is installed, SuperLU elsewhere."""
+    if importlib.util.find_spec("pypardiso") is not None:
+        return PardisoIndefinite()
+    return SuperLUIndefinite()
+
+
+def make_solver() -> Solver:
+    """Return a PARDISO solver where pypardiso is installed, a SuperLU solver elsewhere."""
+    if importlib.util.find_spec("pypardiso") is not None:
+        return PardisoSolver()
+    return SuperLUSolver()
+
+
+def symmetric(upper: sparse.csr_array) -> sparse.csr_array:
+    """Return the whole symmetric matrix from its upper triangle."""
+    whole = upper + upper.T - sparse.diags_array(upper.diagonal())
+    return sparse.csr_array(whole)
+
+
+def multiply(upper: sparse.csr_array, vector: Array) -> Array:
+    """Return the product of a symmetric matrix (its upper triangle is given) and a vector."""
+    product: Array = upper @ vector + upper.T @ vector
+    diagonal = upper.diagonal()
+    product -= (diagonal if vector.ndim == 1 else diagonal[:, None]) * vector
+    return product
+
+
+def _scaled(upper: sparse.csr_array) -> tuple[sparse.csr_array, Array]:
+    """Scale rows and columns to a unit diagonal: bending is t^2 times softer than stretching."""
+    diagonal = np.abs(upper.diagonal())
+    scale = 1.0 / np.sqrt(np.where(diagonal > 0, diagonal, 1.0))
+    rows = np.repeat(scale, np.diff(upper.indptr))
+    data = upper.data * rows * scale[upper.indices]
+    return sparse.csr_array((data, upper.indices, upper.indptr), shape=upper.shape), scale
+
+
+class PardisoSolver:
+    """Cholesky factorisation by PARDISO; L D L^T with a Jacobi scaling for the inertia."""
+
+    def __init__(self) -> None:
+        self._cholesky: Any = None
+        self._pattern: tuple[Any, Any] | None = None
+        self._matrix: sparse.csr_array | None = None
+
+    def factorise(self, upper: sparse.csr_array) -> None:
+        """Factorise a positive definite matrix; the ordering is computed once for each pattern."""
+        pattern = (upper.indptr, upper.indices)
+        same = self._pattern is not None and all(
+            a is b or np.array_equal(a, b) for a, b in zip(pattern, self._pattern, strict=True)
+        )
+        if not same:
+            self._release()
+            self._cholesky = _new_pardiso(2)
+            _call_pardiso(self._cholesky, 11, upper)
+            self._pattern = pattern
+        self._matrix = upper
+        _call_pardiso(self._cholesky, 22, upper)
+
+    def solve(self, rhs: Array) -> Array:
+        """Solve with the last factorised matrix."""
+        if self._matrix is None:
+            raise RuntimeError("solve before factorise")
+        self._cholesky.set_phase(33)
+        solution: Array = self._cholesky._call_pardiso(self._matrix, np.asfortranarray(rhs))
+        return solution
+
+    def negative(self, upper: sparse.csr_array) -> int:
+        """Return the number of negative eigenvalues from the pivots of L D L^T."""
+        indefinite = PardisoIndefinite()
+        indefinite.factorise(upper)
+        return indefinite.negative
+
+    def _release(self) -> None:
+        if self._cholesky is not None and self._matrix is not None:
+            _call_pardiso(self._cholesky, -1, self._matrix)
+        self._cholesky = self._matrix = self._pattern = None
+
+    def __del__(self) -> None:
+        """Free the memory that MKL holds outside Python."""
+        if not sys.is_finalizing():
+            self._release()
+
+
+class PardisoIndefinite:
+    """L D L^T by PARDISO of the matrix scaled to a unit diagonal, with a step of refinement."""
+
+    def __init__(self) -> None:
+        self.negative = 0
+        self._upper: sparse.csr_array | None = None
+        self._scaled: sparse.csr_array | None = None
+        self._scale: Array = np.empty(0)
+        self._solver: Any = None
+
+    def factorise(self, upper: sparse.csr_array) -> None:
+        """Factorise a symmetric matrix and count its negative eigenvalues."""
+        self._release()
+        self._upper = upper
+        self._scaled, self._scale = _scaled(upper)
+        self._solver = _new_pardiso(-2)
+        _call_pardiso(self._solver, 12, self._scaled)
+        self.negative = int(self._solver.get_iparm(23))
+
+    def solve(self, rhs: Array) -> Array:
+        """Solve with the last factorised matrix."""
+        if self._upper is None:
+            raise RuntimeError("solve before factorise")
+        solution = self._once(rhs)
+        return solution + self._once(rhs - multiply(self._upper, solution))
+
+    def _once(self, rhs: Array) -> Array:
+        scale = self._scale if rhs.ndim == 1 else self._scale[:, None]
+        self._solver.set_phase(33)
+        solution: Array = self._solver._call_pardiso(self._scaled, np.asfortranarray(scale * rhs))
+        return scale * solution
+
+    def _release(self) -> None:
+        if self._solver is not None:
+            _call_pardiso(self._solver, -1, self._scaled)
+        self._solver = None
+
+    def __del__(self) -> None:
+        """Free the memory that MKL holds outside Python."""
+        if not sys.is_finalizing():
+            self._release()
+
+
+def _call_pardiso(solver: Any, phase: int, upper: sparse.csr_array) -> None:
+    """Run a phase of PARDISO that needs no right-hand side."""
+    from pypardiso.pardiso_wrapper import PyPardisoError
+
+    solver.set_phase(phase)
+    try:
+        solver._call_pardiso(upper, np.zeros(upper.shape[0]))
+    except PyPardisoError as error:
+        if error.value == -4 and solver.mtype == 2:
+            raise NotPositiveDefiniteError("zero or negative pivot") from None
+        raise
+
+
+def _new_pardiso(mtype: int) -> Any:
+    """Return a PARDISO handle for symmetric matrices (2 positive definite, -2 indefinite)."""
+    if "PYPARDISO_MKL_RT" not in os.environ:
+        # Without this pypardiso asks a compiler and then walks the whole environment.
+        found = sorted(Path(sys.prefix, "lib").glob("libmkl_rt.so*"))
+        if found:
+            os.environ["PYPARDISO_MKL_RT"] = str(found[0])
+    from pypardiso.pardiso_wrapper import PyPardisoSolver
+
+    solver = PyPardisoSolver(mtype=mtype)
+    # No default values (1), METIS ordering (2), no refinement (8), pivots perturbed by
+    # 1e-13 only
+    # (10).
+    for index, value in {1: 1, 2: 2, 8: 0, 10: 13, 18: 0, 21: 1, 24: 0, 27: 0}.items():
+        solver.set_iparm(index, value)
+    return solver
+
+
+class SuperLUSolver:
+    """LU factorisation by SuperLU in symmetric mode; its pivots give the inertia."""
+
+    def __init__(self) -> None:
+        self._factor: Any = None
+        self._scale: Array = np.empty(0)
+
+    def factorise(self, upper: sparse.csr_array) -> None:
+        """Factorise a positive definite matrix."""
+        factor, scale = self._factorise(upper)
+        if not np.all(factor.U.diagonal() > 0):
+            raise NotPositiveDefiniteError("zero or negative pivot")
+        self._factor, self._scale = factor, scale
+
+    def solve(self, rhs: Array) -> Array:
+        """Solve with the last factorised matrix."""
+        scale = self._scale if rhs.ndim == 1 else self._scale[:, None]
+        solution: Array = scale * self._factor.solve(scale * rhs)
+        return solution
+
+    def negative(self, upper: sparse.csr_array) -> int:
+        """Return the number of negative eigenvalues from the pivots of L U."""
+        factor, _ = self._factorise(upper)
+        return int(np.sum(factor.U.diagonal() < 0))
+
+    @staticmethod
+    def _factorise(upper: sparse.csr_array) -> tuple[Any, Array]:
+        from scipy.sparse.linalg import splu
+
+        scaled, scale = _scaled(upper)
+        factor = splu(
+            symmetric(scaled).tocsc(),
+            permc_spec="MMD_AT_PLUS_A",
+            diag_pivot_thresh=0.0,
+            options={"SymmetricMode": True},
+        )
+        if not np.array_equal(factor.perm_r, factor.perm_c):
+            raise ArithmeticError("SuperLU left the diagonal: a pivot is zero")
+        return factor, scale
+
+
+class SuperLUIndefinite:
+    """SuperLU with pivoting for the solution, without for the number of negative eigenvalues."""
+
+    def __init__(self) -> None:
+        self.negative = 0
+        self._factor: Any = None
+
+    def factorise(self, upper: sparse.csr_array) -> None:
+        """Factorise a symmetric matrix and count its negative eigenvalues."""
+        from scipy.sparse.linalg import splu
+
+        self.negative = SuperLUSolver().negative(upper)
+        self._factor = splu(symmetric(upper).tocsc())
+
+    def solve(self, rhs: Array) -> Array:
+        """Solve with the last factorised matrix."""
+        solution: Array = self._factor.solve(rhs)
+        return solution

@@ -1,0 +1,1 @@
+"""Energy at a point: material laws, the cross-section, the plate."""

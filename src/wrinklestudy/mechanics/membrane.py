@@ -1,0 +1,85 @@
+"""Energy of a flat sheet that is stretched in its plane: density, gradient and Hessian."""
+
+import numpy as np
+
+from wrinklestudy.mechanics.laws import Law
+from wrinklestudy.typing import Array
+
+
+def _metric(derivatives: Array) -> Array:
+    p, q = derivatives
+    return np.stack([(p * p).sum(axis=0), (q * q).sum(axis=0), (p * q).sum(axis=0)])
+
+
+def energy(law: Law, derivatives: Array) -> Array:
+    """Return W(a) of a flat sheet from x,1 and x,2 of the in-plane position, (2, 2, ...)."""
+    return law.energy(_metric(derivatives))
+
+
+def force(law: Law, derivatives: Array) -> Array:
+    """Return dW/da of a flat sheet, (3, ...)."""
+    return law.derivatives(_metric(derivatives))[0]
+
+
+def stiffness(law: Law, derivatives: Array) -> Array:
+    """Return d2W/da2 of a flat sheet, (3, 3, ...)."""
+    return law.derivatives(_metric(derivatives))[1]
+
+
+def gradient(stress: Array, derivatives: Array) -> Array:
+    """Return the derivative of a function of the metric with respect to x,1 and x,2.
+
+    Parameters
+    ----------
+    stress : (3, ...) array
+        Its derivative with respect to the metric.
+    derivatives : (2, 2, ...) array
+        x,1 and x,2 of the in-plane position.
+    """
+    p, q = derivatives
+    return np.stack([2.0 * stress[0] * p + stress[2] * q, 2.0 * stress[1] * q + stress[2] * p])
+
+
+def expansion(law: Law, derivatives: Array) -> tuple[Array, Array, list[Array]]:
+    """Return energy, gradient and Hessian of the sheet for each unit of thickness.
+
+    Parameters
+    ----------
+    law : Law
+        Dimensionless material law.
+    derivatives : (2, 2, ...) array
+        x,1 and x,2 of the in-plane position.
+
+    Returns
+    -------
+    energy : (...) array
+        W(a).
+    gradient : (2, 2, ...) array
+    hessian : list of arrays
+        Pairs of components (0,0) (0,1) (1,1) with 3, 4 and 3 rows.
+    """
+    p, q = derivatives
+    metric = _metric(derivatives)
+    stress, stretching = law.derivatives(metric)
+    parts = ((2.0 * p, None), (None, 2.0 * q), (q, p))  # of da with respect to x,1 and x,2
+    stiff = np.zeros((3, 2, *p.shape))
+    for k in range(3):
+        for m, directions in enumerate(parts):
+            for c, vector in enumerate(directions):
+                if vector is not None:
+                    stiff[k, c] += stretching[k, m] * vector
+    blocks = []
+    for i, j in ((0, 0), (0, 1), (1, 1)):
+        rows = []
+        entries = [(a, b) for a in range(2) for b in range(a if i == j else 0, 2)]
+        for a, b in entries:
+            entry = np.zeros(p.shape[1:])
+            for k in range(3):
+                vector = parts[k][a]
+                if vector is not None:
+                    entry += vector[i] * stiff[k, b, j]
+            if i == j:
+                entry += stress[2] if a != b else 2.0 * stress[a]
+            rows.append(entry)
+        blocks.append(np.stack(rows))
+    return law.energy(metric), gradient(stress, derivatives), blocks

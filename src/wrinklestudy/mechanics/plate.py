@@ -1,0 +1,252 @@
+"""Kirchhoff-Love plate energy with finite membrane strain: density, gradient and Hessian.
+
+The mid-surface x(X, Y) has the metric a = (x,1.x,1, x,2.x,2, x,1.x,2) and the curvature
+b = (x,11.n, x,22.n, x,12.n). The energy psi(a, b) of the cross-section with its derivatives is that
+of `section`; here they become derivatives in x,1 x,2 x,11 x,22 x,12, exact and written by hand.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from wrinklestudy.mechanics.laws import Law
+from wrinklestudy.mechanics.section import Section, SectionDerivatives
+from wrinklestudy.typing import Array
+from wrinklestudy.vocabulary import Bending
+
+_VOIGT = ((0, 0), (1, 1), (0, 1))
+
+
+class SurfaceGeometry(NamedTuple):
+    """Geometry of the mid-surface at points; b = n.(x,ab), Christoffel symbols x,ab.a^c."""
+
+    tangents: Array  # x,1 and x,2: (2, 3, ...)
+    normal: Array  # n: (3, ...)
+    dual: Array  # a^1 and a^2: (2, 3, ...)
+    metric: Array  # a: (3, ...)
+    inverse: Array  # a^11, a^22, a^12: (3, ...)
+    curvature: Array  # b: (3, ...)
+    christoffel: Array  # (2, 3, ...): upper index, then 11, 22, 12
+
+
+def _dot(a: Array, b: Array) -> Array:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def surface(derivatives: Array, bending: Bending) -> SurfaceGeometry:
+    """Return the geometry from x,1 x,2 x,11 x,22 x,12 of shape (5, 3, ...).
+
+    For the law 'fvk' the normal is the fixed direction z, without any change of direction.
+    """
+    first, second = derivatives[:2], derivatives[2:]
+    metric = np.stack([_dot(first[i], first[j]) for i, j in _VOIGT])
+    if bending == "fvk":
+        points = metric.shape[1:]
+        normal = np.zeros((3, *points), dtype=derivatives.dtype)
+        normal[2] = 1.0
+        zeros = np.zeros((2, 3, *points), dtype=derivatives.dtype)
+        return SurfaceGeometry(
+            first, normal, zeros, metric, np.zeros_like(metric), second[:, 2], zeros.copy()
+        )
+    p, q = first
+    cross = np.stack(
+        [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
+    )
+    det = metric[0] * metric[1] - metric[2] ** 2
+    normal = cross / np.sqrt(det)
+    inverse = np.stack([metric[1], metric[0], -metric[2]]) / det
+    dual = np.stack([inverse[0] * p + inverse[2] * q, inverse[2] * p + inverse[1] * q])
+    curvature = np.stack([_dot(second[k], normal) for k in range(3)])
+    christoffel = np.stack([np.stack([_dot(second[k], d) for k in range(3)]) for d in dual])
+    return SurfaceGeometry(first, normal, dual, metric, inverse, curvature, christoffel)
+
+
+def respond(section: Section, derivatives: Array) -> tuple[SurfaceGeometry, SectionDerivatives]:
+    """Return geometry, force, moment and their slopes from x,1 x,2 x,11 x,22 x,12 at points."""
+    shape = surface(derivatives, section.bending)
+    return shape, section.derivatives(shape.metric, shape.curvature)
+
+
+def energy(section: Section, derivatives: Array) -> Array:
+    """Return the energy density at points from x,1 x,2 x,11 x,22 x,12 of shape (5, 3, ...)."""
+    shape = surface(derivatives, section.bending)
+    return section.energy(shape.metric, shape.curvature)
+
+
+def _metric_variation(shape: SurfaceGeometry) -> list[tuple[tuple[int, Array], ...]]:
+    """Return da as (direction, vector) terms for a11, a22, a12."""
+    p, q = shape.tangents
+    return [((0, 2.0 * p),), ((1, 2.0 * q),), ((0, q), (1, p))]
+
+
+def gradient(shape: SurfaceGeometry, section: SectionDerivatives) -> Array:
+    """Return the derivative of the energy density, (5, 3, ...).
+
+    da11 = 2 x,1.dx,1 and so on; db_k = n.(dx,k - Gamma^c_k dx,c), k = 11, 22, 12.
+    """
+    force, moment, normal = section.force, section.moment, shape.normal
+    result = np.empty((5, *normal.shape))
+    p, q = shape.tangents
+    pull = np.einsum("k...,ck...->c...", moment, shape.christoffel)
+    result[0] = 2.0 * force[0] * p + force[2] * q - pull[0] * normal
+    result[1] = 2.0 * force[1] * q + force[2] * p - pull[1] * normal
+    for k in range(3):
+        result[2 + k] = moment[k] * normal
+    return result
+
+
+def predict(
+    shape: SurfaceGeometry, section: SectionDerivatives, step: Array
+) -> tuple[Array, Array]:
+    """Return force and moment, (3, ...) each, after a step, to first order in it.
+
+    Parameters
+    ----------
+    shape : Surface
+        Geometry before the step.
+    section : SectionDerivatives
+        Section before the step.
+    step : (5, 3, ...) array
+        Change of x,1 x,2 x,11 x,22 x,12.
+    """
+    (p, q), along = shape.tangents, [_dot(shape.normal, change) for change in step]
+    metric = np.stack(
+        [2.0 * _dot(p, step[0]), 2.0 * _dot(q, step[1]), _dot(q, step[0]) + _dot(p, step[1])]
+    )
+    turned = shape.christoffel[0] * along[0] + shape.christoffel[1] * along[1]
+    curvature = np.stack(along[2:]) - turned
+    force = np.einsum("km...,m...->k...", section.stretching, metric)
+    force += np.einsum("km...,m...->k...", section.coupling, curvature)
+    moment = np.einsum("km...,k...->m...", section.coupling, metric)
+    moment += np.einsum("km...,m...->k...", section.bending, curvature)
+    return section.force + force, section.moment + moment
+
+
+class _Parts(NamedTuple):
+    """Vectors from which the entries of the Hessian are put together."""
+
+    metric: list[tuple[tuple[int, Array], ...]]  # da as (direction, vector) terms
+    membrane: Array  # psi_aa da / d(x,c)_j, (3, 2, 3, ...)
+    twist: Array  # (x,k).n against (x,c)_j, (3, 2, 3, ...)
+    turn: Array  # turn[d, c, i] n_j + n_i turn[c, d, j] in the entry (x,c)_i (x,d)_j
+
+
+def _parts(shape: SurfaceGeometry, section: SectionDerivatives) -> _Parts:
+    normal, gamma = shape.normal, shape.christoffel
+    terms = _metric_variation(shape)
+    membrane = np.zeros((3, *shape.tangents.shape))
+    coupled = np.zeros((3, *shape.tangents.shape))
+    for k in range(3):
+        for m, parts in enumerate(terms):
+            for direction, vector in parts:
+                membrane[k, direction] += section.stretching[k, m] * vector
+                coupled[k, direction] += section.coupling[m, k] * vector
+    pull = np.einsum("k...,ck...->c...", section.moment, gamma)
+    inner = np.einsum("km...,cm...->ck...", section.bending, gamma)
+    work = _dot(section.moment, shape.curvature)
+    turn = np.empty((2, 2, *normal.shape))
+    for d in range(2):
+        for c in range(2):
+            inverse = shape.inverse[c if c == d else 2]
+            along = 0.5 * (_dot(gamma[c], inner[d]) - work * inverse)
+            turn[d, c] = pull[c] * shape.dual[d] + along * normal
+            for k in range(3):
+                turn[d, c] -= gamma[d, k] * coupled[k, c]
+    twist = coupled
+    for k in range(3):
+        for c in range(2):
+            twist[k, c] -= inner[c, k] * normal
+    return _Parts(terms, membrane, twist, turn)
+
+
+def hessian(shape: SurfaceGeometry, section: SectionDerivatives) -> list[Array]:
+    """Return the second derivatives of the energy density for `Assembler.tangent`.
+
+    The second variations are d2a11 = 2 |dx,1|^2 (and so on) and
+    d2b_k = 2 (dx,k - Gamma^c_k dx,c).dn - b_k |dn|^2 with dn = -a^c (n.dx,c).
+
+    Returns
+    -------
+    list of six arrays
+        Pairs of components (0,0) (0,1) (0,2) (1,1) (1,2) (2,2); 15 rows (a <= b) for equal
+        components, 25 rows for unequal ones.
+    """
+    parts = _parts(shape, section)
+    blocks = []
+    for i in range(3):
+        for j in range(i, 3):
+            entries = [(a, b) for a in range(5) for b in range(a if i == j else 0, 5)]
+            block = np.empty((len(entries), *shape.normal.shape[1:]))
+            for row, (a, b) in enumerate(entries):
+                _entry(shape, section, parts, (a, i), (b, j), block[row])
+            blocks.append(block)
+    return blocks
+
+
+def _entry(
+    shape: SurfaceGeometry,
+    section: SectionDerivatives,
+    parts: _Parts,
+    first: tuple[int, int],
+    second: tuple[int, int],
+    out: Array,
+) -> None:
+    """Write the second derivative with respect to (derivative, component) pairs."""
+    (a, i), (b, j) = first, second
+    normal = shape.normal
+    if a >= 2 and b >= 2:
+        np.multiply(normal[i], normal[j], out=out)
+        out *= section.bending[a - 2, b - 2]
+    elif a >= 2:
+        np.multiply(normal[i], parts.twist[a - 2, b, j], out=out)
+        out -= section.moment[a - 2] * shape.dual[b, i] * normal[j]
+    elif b >= 2:
+        _entry(shape, section, parts, second, first, out)
+    else:
+        np.multiply(parts.turn[b, a, i], normal[j], out=out)
+        out += normal[i] * parts.turn[a, b, j]
+        for k, terms in enumerate(parts.metric):
+            for direction, vector in terms:
+                if direction == a:
+                    out += vector[i] * parts.membrane[k, b, j]
+        if i == j:
+            out += section.force[2] if a != b else 2.0 * section.force[a]
+
+
+def deflection(law: Law, bending: Bending, derivatives: Array) -> tuple[Array, Array]:
+    """Return the Hessians S and B of the energy of a small deflection of a flat, stretched sheet.
+
+    The energy of a deflection w on the flat state is t/2 w.S w + t^3/2 w.B w with S (stress) and B
+    (bending) independent of t: S from psi_a w,a w,b and B from (t^3/3) lambda3^2 d2W/dg2 acting on
+    w,k - Gamma^c_k w,c.
+
+    Parameters
+    ----------
+    law : Law
+        Dimensionless material law.
+    bending : {'thinning', 'fixed-thickness', 'fvk'}
+        The bending law.
+    derivatives : (5, 3, ...) array
+        x,1 x,2 x,11 x,22 x,12 of the flat state.
+
+    Returns
+    -------
+    stress, bending : (15, ...) arrays
+        Rows (a <= b) as in `Assembler.entries`.
+    """
+    section = Section(law, 1.0, bending)
+    shape = surface(derivatives, bending)
+    flat = section.derivatives(shape.metric, np.zeros_like(shape.metric))
+    entries = [(a, b) for a in range(5) for b in range(a, 5)]
+    stress = np.zeros((15, *shape.metric.shape[1:]))
+    force = section.law.derivatives(shape.metric)[0]
+    stress[entries.index((0, 0))] = 2.0 * force[0]
+    stress[entries.index((1, 1))] = 2.0 * force[1]
+    stress[entries.index((0, 1))] = force[2]
+    # Rows of the curvature variation on (w,1 w,2 w,11 w,22 w,12)
+    rows = np.zeros((3, 5, *shape.metric.shape[1:]))
+    for k in range(3):
+        rows[k, 2 + k] = 1.0
+        rows[k, 0], rows[k, 1] = -shape.christoffel[0, k], -shape.christoffel[1, k]
+    full = np.einsum("ka...,km...,mb...->ab...", rows, flat.bending, rows, optimize=True)
+    return stress, np.stack([full[a, b] for a, b in entries])

@@ -1,0 +1,113 @@
+"""Quantities of the whole sheet rather than of its mid-line."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from wrinklestudy.metrics.interpolant import evaluate, subdivided, unfolded
+from wrinklestudy.typing import Array
+
+_SAMPLES_PER_CELL = 8
+_REFINEMENTS = 4
+
+
+@dataclass(frozen=True)
+class SheetPeak:
+    """The largest deflection over the whole sheet, and where it is.
+
+    Parameters
+    ----------
+    amplitude : float
+        Largest |z| in units of W.
+    x, y : float
+        Reference coordinates of the point in the quarter, in units of W.
+    """
+
+    amplitude: float
+    x: float
+    y: float
+
+
+@dataclass(frozen=True)
+class SampledSurface:
+    """The full deformed sheet, sampled.
+
+    Parameters
+    ----------
+    position : ndarray, shape (3, m, n)
+        Deformed x, y, z in units of W.
+    normal : ndarray, shape (3, m, n)
+        Unit normal, pointing up.
+    reference_x, reference_y : ndarray, shapes (m,) and (n,)
+        Reference coordinates of the samples in units of W.
+    """
+
+    position: Array
+    normal: Array
+    reference_x: Array
+    reference_y: Array
+
+
+def sheet_peak(grid_x: Array, grid_y: Array, position: Array) -> SheetPeak:
+    """Return the largest |z| of the interpolant over the sheet.
+
+    A state whose largest deflection is not near x = 0 is a warning: a flap at the corner where
+    clamp and free edge meet is no wrinkle.
+
+    Parameters
+    ----------
+    grid_x, grid_y : ndarray, shapes (nx + 1,) and (ny + 1,)
+        Node coordinates of the quarter in units of W.
+    position : ndarray, shape (3, 4, nx + 1, ny + 1)
+        Bicubic Hermite degrees of freedom of the deformed position in units of W.
+
+    Returns
+    -------
+    SheetPeak
+    """
+    deflection = position[2]
+    x = subdivided(grid_x, _SAMPLES_PER_CELL)
+    y = subdivided(grid_y, _SAMPLES_PER_CELL)
+    for _ in range(_REFINEMENTS):
+        height = np.abs(evaluate(grid_x, grid_y, deflection, x, y))
+        i, j = np.unravel_index(int(np.argmax(height)), height.shape)
+        best = SheetPeak(float(height[i, j]), float(x[i]), float(y[j]))
+        x, y = _around(x, int(i)), _around(y, int(j))
+    return best
+
+
+def _around(points: Array, k: int) -> Array:
+    """Return 17 points between the neighbours of point ``k``."""
+    low, high = points[max(k - 1, 0)], points[min(k + 1, len(points) - 1)]
+    return np.linspace(low, high, 2 * _SAMPLES_PER_CELL + 1)
+
+
+def full_surface(
+    grid_x: Array, grid_y: Array, position: Array, parity: str, per_cell: tuple[int, int]
+) -> SampledSurface:
+    """Return the full deformed sheet and its unit normals from the solved quarter.
+
+    n = x,X x x,Y / |x,X x x,Y| from the derivatives of the interpolant.
+
+    Parameters
+    ----------
+    grid_x, grid_y : ndarray, shapes (nx + 1,) and (ny + 1,)
+        Node coordinates of the quarter in units of W.
+    position : ndarray, shape (3, 4, nx + 1, ny + 1)
+        Bicubic Hermite degrees of freedom of the deformed position in units of W.
+    parity : str
+        ``antisymmetric`` or ``symmetric``.
+    per_cell : tuple of int
+        Samples per cell along the pull and across.
+
+    Returns
+    -------
+    Surface
+    """
+    full_x, full_y, full = unfolded(grid_x, grid_y, position, parity)
+    x, y = subdivided(full_x, per_cell[0]), subdivided(full_y, per_cell[1])
+    along = evaluate(full_x, full_y, full, x, y, dx=1)
+    across = evaluate(full_x, full_y, full, x, y, dy=1)
+    normal = np.cross(along, across, axis=0)
+    normal /= np.linalg.norm(normal, axis=0)
+    return SampledSurface(evaluate(full_x, full_y, full, x, y), normal, x, y)

@@ -1,0 +1,121 @@
+"""HDF5 files of flat and wrinkled states; fields are in the layout of the grid."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from wrinklestudy.equilibrium import newton
+from wrinklestudy.equilibrium.flat import Flat
+from wrinklestudy.equilibrium.modes import Modes
+from wrinklestudy.equilibrium.newton import Iteration
+from wrinklestudy.equilibrium.planar import Planar, PlanarSettings
+from wrinklestudy.equilibrium.wrinkled import Equilibrium
+from wrinklestudy.fem.grid import Grid
+from wrinklestudy.fem.space import Space
+from wrinklestudy.mechanics import laws
+from wrinklestudy.results.files import read_h5, write_h5
+
+
+def write_planar(planar: Planar, output: Path | str) -> None:
+    """Write a planar state as an HDF5 file; fields are in the layout of the grid."""
+    datasets: dict[str, Any] = {"grid/x": planar.grid.x, "grid/y": planar.grid.y}
+    attrs = {
+        "units": "lengths in W, stresses in the initial shear modulus mu, energies in mu W^2 per t",
+        "material": planar.name,
+        **laws.describe(planar.material),
+        "strain": planar.strain,
+        "aspect": planar.grid.aspect,
+        **vars(planar.settings),
+        "reason": planar.reason,
+    }
+    if planar.flat is not None and planar.modes is not None:
+        flat, modes = planar.flat, planar.modes
+        datasets |= {
+            "position": flat.space.nodes_from_field(flat.position),
+            "history": np.array(flat.history),
+            "modes/squared_thickness": modes.squared,
+            # seeds need no more than single precision
+            "modes/shapes": flat.space.nodes_from_field(modes.shapes).astype(np.float32),
+            "modes/corner": modes.corner,
+            "modes/quartic": modes.quartic,
+            "modes/relaxation": flat.space.nodes_from_field(modes.relaxation).astype(np.float32),
+        }
+        attrs |= {
+            "energy": flat.energy,
+            "nominal_stress": flat.force,
+            "critical_thickness": modes.critical_thickness,
+        }
+    write_h5(output, datasets, attrs)
+
+
+def read_planar(path: Path | str) -> Planar:
+    """Read a planar state back."""
+    data, attrs = read_h5(path)
+    grid = Grid(data["grid/x"], data["grid/y"])
+    material = laws.from_description(attrs)
+    settings = PlanarSettings(attrs["bending"], attrs["parity"], attrs["modes"])
+    strain, name = attrs["strain"], attrs["material"]
+    if attrs["reason"]:
+        return Planar(grid, material, name, strain, settings, None, None, attrs["reason"])
+    space = Space(grid)
+    flat = Flat(
+        space,
+        material.law,
+        strain,
+        space.field_from_nodes(data["position"]),
+        attrs["energy"],
+        attrs["nominal_stress"],
+        tuple(Iteration(*row) for row in data["history"].tolist()),
+    )
+    modes = Modes(
+        settings.parity,
+        settings.bending,
+        data["modes/squared_thickness"],
+        space.field_from_nodes(data["modes/shapes"]),
+        data["modes/corner"],
+        data["modes/quartic"],
+        space.field_from_nodes(data["modes/relaxation"]),
+    )
+    return Planar(grid, material, name, strain, settings, flat, modes)
+
+
+def write_wrinkle(state: Equilibrium, output: Path | str) -> None:
+    """Write a state as an HDF5 file; the position is in the layout of the grid."""
+    planar = state.planar
+    datasets: dict[str, Any] = {"grid/x": planar.grid.x, "grid/y": planar.grid.y}
+    flat, modes = planar.flat, planar.modes
+    if state.position is not None and flat is not None:
+        datasets["position"] = flat.space.nodes_from_field(state.position)
+    datasets["history"] = np.array(state.history).reshape(-1, len(newton.Iteration._fields))
+    along, across = planar.grid.cells
+    nan = float("nan")
+    width = nan if flat is None else 2.0 * flat.space.nodes_from_field(flat.position)[1, 0, 0, -1]
+    attrs = {
+        "units": "lengths in W, stresses in the initial shear modulus mu, energies in mu W^3",
+        "material": planar.name,
+        **laws.describe(planar.material),
+        "shear_modulus_pa": planar.material.shear_modulus,
+        "young_modulus_pa": planar.material.young_modulus,
+        "poisson": planar.material.law.poisson,
+        "bending": planar.settings.bending,
+        "parity": planar.settings.parity,
+        "aspect": planar.grid.aspect,
+        "thickness": state.thickness,
+        "strain": planar.strain,
+        "status": state.status,
+        "reason": state.reason,
+        "energy": state.energy,
+        "flat_energy": state.flat_energy,
+        "nominal_stress": state.nominal_stress,
+        "nominal_stress_pa": state.nominal_stress * planar.material.shear_modulus,
+        "critical_thickness": nan if modes is None else modes.critical_thickness,
+        "planar_width_over_width": width,
+        "unstable_directions": state.unstable_directions,
+        "newton_iterations": newton.count(state.history),
+        "residual": state.residual,
+        "history_columns": list(newton.Iteration._fields),
+        "cells_along": along,
+        "cells_across": across,
+    }
+    write_h5(output, datasets, attrs)

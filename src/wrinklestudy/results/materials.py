@@ -1,0 +1,57 @@
+"""Files of the material stage, read back."""
+
+from pathlib import Path
+
+import numpy as np
+
+from wrinklestudy.material.result import CONSTANTS, Fit, material_of
+from wrinklestudy.mechanics.laws import LAWS, Material
+from wrinklestudy.results.files import read_json
+
+
+def load_fit(path: str | Path) -> Fit:
+    """Read a material file written by `run`.
+
+    Raises
+    ------
+    ValueError
+        If the file cannot be read or a key is missing or wrong; one line naming file and key.
+    """
+    try:
+        content = read_json(path)
+    except OSError as error:
+        raise ValueError(f"{path}: cannot be read ({error.strerror})") from error
+    try:
+        law = content["law"]
+        if law not in CONSTANTS:
+            raise ValueError(f"law {law!r} is unknown: allowed are {', '.join(LAWS)}")
+        constants = {name: float(content["constants_pa"][name]) for name in CONSTANTS[law]}
+        material_of(law, constants)
+        low, high = content["stretch_range"]
+        return Fit(
+            law=law,
+            constants=constants,
+            covariance=np.array(content["covariance_pa2"], dtype=np.float64),
+            at_bound=tuple(content["at_bound"]),
+            rms_pa=float(content["rms_pa"]),
+            count=int(content["count"]),
+            stretch_range=(float(low), float(high)),
+            modes=tuple(content["modes"]),
+            condition_number=float(content["condition_number"]),
+            source=str(content["source"]),
+        )
+    except KeyError as error:
+        raise ValueError(f"{path}: key {error} is missing; not a material file") from error
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{path}: not a material file ({error})") from error
+
+
+def load_material(path: str | Path) -> Material:
+    """Return the material of a file written by `run`.
+
+    Raises
+    ------
+    ValueError
+        As `load_fit`.
+    """
+    return load_fit(path).material()

@@ -1,0 +1,42 @@
+"""The material stage: a law fitted to the measured stress-strain curve of one material."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from wrinklestudy.material.data import read
+from wrinklestudy.material.fit import fit
+from wrinklestudy.results.files import write_json
+
+
+def run(
+    csv: str | Path,
+    law: str,
+    name: str,
+    stretch: tuple[float, float] | None,
+    modes: Sequence[str] | None,
+    output: str | Path,
+) -> None:
+    """Fit one material and write its file: the material stage.
+
+    Parameters
+    ----------
+    csv : str or Path
+        Measured data.
+    law : str
+        One of `LAWS`.
+    name : str
+        Name of the material in the study.
+    stretch, modes : optional
+        As in `fit`; None takes the default.
+    output : str or Path
+        JSON file to write, as `Fit.as_dict` with the name and the header note of the data.
+
+    Raises
+    ------
+    ValueError
+        As `fit`.
+    """
+    measurement = read(csv)
+    result = fit(measurement, law, stretch=stretch, modes=modes)
+    content = {"name": name, **result.as_dict(), "source_note": measurement.note}
+    write_json(output, content)

@@ -1,0 +1,180 @@
+"""Claims on the confinement Phi^2 = (W_act - W_proj)/W_proj."""
+
+import numpy as np
+
+from wrinklestudy.material.homogeneous import nominal_stress
+from wrinklestudy.studies.panaitescu2019 import theory
+from wrinklestudy.study.claims.finding import (
+    Claim,
+    Finding,
+    Value,
+    claim,
+    verdict_across,
+    verdict_of,
+)
+from wrinklestudy.study.claims.sheet import MissingError
+from wrinklestudy.study.claims.tables import StudyTables
+
+ZERO = 1e-8
+WIGGLE = 0.01  # of the largest Phi^2
+HOOKEAN = 0.1  # departure of the stress from its initial slope
+SAME = 0.2  # of Phi^2
+SHOWN_STRAIN = 0.12
+
+AVERAGES = {"full width": "phi_squared", "central wavelength": "phi_squared_central"}
+AVERAGING = "the width over which Φ² is averaged, which the paper does not state"
+
+
+@claim(
+    place="Sec. IV.C, Fig. 7b",
+    quotation="Below the threshold ... Φ² = 0 ... eventually becoming zero beyond a finite value "
+    "of ε",
+    reading="Φ² vanishes before birth and after decay, and only there.",
+    tolerance=f"at most {ZERO:g} in every state outside, more in every state between",
+)
+def zero_outside(study: StudyTables) -> Finding:
+    """Compare the confinement of the states outside and inside birth and decay."""
+    sheet = study.sheet
+    birth, decay = sheet.limits()
+    strain, phi = sheet.converged("strain", "phi_squared")
+    inside = (strain > birth) & (strain < decay)
+    if inside.all() or not inside.any():
+        raise MissingError(f"states inside and outside of birth and decay, of {sheet.label}")
+    outside, smallest = float(phi[~inside].max()), float(phi[inside].min())
+    return Finding(
+        verdict_of(outside <= ZERO < smallest),
+        (
+            Value("largest Φ² outside", outside),
+            Value("smallest Φ² inside", smallest),
+            Value("states outside", int((~inside).sum())),
+            Value("states inside", int(inside.sum())),
+        ),
+        f"Φ² is at most {outside:.2g} outside ε = {birth:.4f} to {decay:.4f} and at least "
+        f"{smallest:.2g} inside.",
+        sheets=(sheet,),
+    )
+
+
+@claim(
+    place="Sec. IV.C, Fig. 7b",
+    quotation="Φ² increases and then decreases",
+    reading="One maximum over strain, at neither end of the wrinkled range.",
+    tolerance=f"rises before its maximum and falls after it, but for {WIGGLE:.0%} of the maximum",
+)
+def non_monotonic(study: StudyTables) -> Finding:
+    """Look for a single maximum of the confinement."""
+    sheet = study.sheet
+    strain, phi = sheet.wrinkled("strain", "phi_squared")
+    top = int(np.argmax(phi))
+    step = np.diff(phi) / phi[top]
+    single = bool((step[:top] > -WIGGLE).all() and (step[top:] < WIGGLE).all())
+    return Finding(
+        verdict_of(single and 0 < top < len(phi) - 1),
+        (
+            Value("largest Φ²", sheet.peak_value("max_phi_squared")),
+            Value("at strain", sheet.peak_value("strain_at_max_phi_squared")),
+            Value("Φ² at the first wrinkled state", float(phi[0])),
+            Value("Φ² at the last", float(phi[-1])),
+        ),
+        f"Φ² is {phi[0]:.2g} at ε = {strain[0]:g}, {phi[top]:.3g} at {strain[top]:g} and "
+        f"{phi[-1]:.2g} at {strain[-1]:g}.",
+        sheets=(sheet,),
+    )
+
+
+@claim(
+    place="Sec. IV.C, Fig. 7b",
+    quotation="the actual behavior of Φ² ... is dramatically different, being an order of "
+    "magnitude smaller, from the one assumed by the original CM model (Φ² ≈ ν ε)",
+    reading="The largest ratio of Φ² to ν ε over strain, ν = 1/2, is about 1/10; a much smaller "
+    "one is more than an order of magnitude. Both averages of Φ² are tested.",
+    tolerance="the nearest power of ten of the largest ratio is 1/10, for both averages",
+)
+def order_of_magnitude(study: StudyTables) -> Finding:
+    """Compare the confinement with nu eps, for both ways to average it."""
+    sheet = study.sheet
+    values, outcomes, words = [], {}, []
+    for name, column in AVERAGES.items():
+        strain, phi = sheet.wrinkled("strain", column)
+        ratio = phi / theory.cm_confinement(strain)
+        top = float(ratio.max())
+        outcomes[name] = top > 0.0 and round(float(np.log10(top))) == -1
+        values.append(Value(f"largest Φ²/(ν ε), {name}", top))
+        words.append(f"1/{1.0 / top:.3g} ({name})" if top > 0.0 else f"0 ({name})")
+    verdict, what = verdict_across(outcomes, AVERAGING)
+    return Finding(
+        verdict,
+        tuple(values),
+        f"Φ² is at most {' and '.join(words)} of ν ε.",
+        what,
+        (sheet,),
+    )
+
+
+@claim(
+    place="Sec. IV.C",
+    quotation="Φ² exhibits a non-monotonic dependence on ε even for rather small values of ε, at "
+    "which the mechanics is still well approximated by Hookean mechanics",
+    reading="At the strain where Φ² is largest the stress is still close to its initial slope.",
+    tolerance=f"within {HOOKEAN:.0%} of the initial slope at that strain",
+)
+def hookean_maximum(study: StudyTables) -> Finding:
+    """Compute the departure of the stress from Hooke's law where the confinement is largest."""
+    sheet, material = study.sheet, study.material.fit.material()
+    peak = sheet.peak_value("strain_at_max_phi_squared")
+    stress = float(nominal_stress(material, 1.0 + peak))
+    departure = stress / (material.young_modulus * peak) - 1.0
+    return Finding(
+        verdict_of(abs(departure) <= HOOKEAN),
+        (
+            Value("strain of the largest Φ²", peak),
+            Value("stress over its initial slope there, less 1", departure),
+        ),
+        f"Φ² turns at ε = {peak:.3f}, where the stress in simple tension is {departure:+.0%} off "
+        "its initial slope.",
+        sheets=(sheet,),
+    )
+
+
+@claim(
+    place="Sec. IV.C, Fig. 7b, Table I",
+    quotation="the actual behavior of Φ², which derives from a solution of tension field theory",
+    reading="Tension field theory has no thickness: if Φ² derives from it, Φ² does not change when "
+    f"the sheet is made thinner. Tested at ε = {SHOWN_STRAIN:g} on the thickness series.",
+    tolerance=f"Φ² of the thinnest sheet within {SAME:.0%} of that of the paper's sheet",
+)
+def tension_field(study: StudyTables) -> Finding:
+    """Compare the confinement of the thinnest sheet with that of the paper's sheet."""
+    sheet = study.sheet
+    thinner = [s for s in study.by("thickness").values() if s.thickness < sheet.thickness]
+    if not thinner:
+        raise MissingError(f"a sheet like {sheet.label} but thinner")
+    found = [(s.thickness, s.at("phi_squared", SHOWN_STRAIN)) for s in (*thinner, sheet)]
+    own = found[-1][1]
+    if not own > 0.0:
+        raise MissingError(f"wrinkles at strain {SHOWN_STRAIN:g} of {sheet.label}")
+    change = found[0][1] / own - 1.0
+    return Finding(
+        verdict_of(abs(change) <= SAME),
+        (
+            *(Value(f"Φ² at ε = {SHOWN_STRAIN:g}, t/W = {t:g}", phi) for t, phi in found),
+            Value("change from the paper's sheet to the thinnest", change),
+        ),
+        f"From t/W = {sheet.thickness:g} to {found[0][0]:g} Φ² changes by {change:+.0%}: "
+        + (
+            "it has its limit of vanishing thickness."
+            if abs(change) <= SAME
+            else "a sheet of the paper's thickness is far from the limit that tension field theory "
+            "describes; bending and the nearness of the threshold matter."
+        ),
+        sheets=(*thinner, sheet),
+    )
+
+
+CLAIMS: tuple[Claim, ...] = (
+    zero_outside,
+    non_monotonic,
+    order_of_magnitude,
+    hookean_maximum,
+    tension_field,
+)

@@ -1,0 +1,183 @@
+"""Claims on length and thickness: which sheets wrinkle."""
+
+import numpy as np
+
+from wrinklestudy.study.claims.finding import Claim, Finding, Value, claim, number_text, verdict_of
+from wrinklestudy.study.claims.sheet import MissingError, SheetStates
+from wrinklestudy.study.claims.tables import StudyTables
+from wrinklestudy.typing import Array
+
+SHORT, LONG = 1.5, 3.0  # L/W
+CUTOFF_RANGE = (1.5, 3.5)  # L/W: the shortest and longest sheets of the paper
+EARLIER_ISLAND = 2.6  # L/W, upper end that Li and Healey predict
+
+_PEAK = "max_amplitude_over_thickness"
+
+
+def _margin(sheet: SheetStates) -> float:
+    return sheet.max_critical_thickness / sheet.thickness
+
+
+@claim(
+    place="Sec. III.D, Fig. 6a",
+    quotation="No wrinkles are observed in case of Lo/Wo = 1.5",
+    reading="The flat sheet of L/W = 1.5 is stable at every strain.",
+    tolerance="no birth strain (eigenvalue problem) and no wrinkled state",
+)
+def none_when_short(study: StudyTables) -> Finding:
+    """Look for wrinkles of the short sheet."""
+    sheet = study.one(aspect=SHORT)
+    return Finding(
+        verdict_of(not sheet.wrinkles),
+        (
+            Value("largest critical thickness τ/W", sheet.max_critical_thickness),
+            Value("the same over t/W", _margin(sheet)),
+            Value("at strain", sheet.strain_at_max),
+            Value("wrinkled states", sheet.status.count("wrinkled")),
+        ),
+        f"The largest critical thickness is {_margin(sheet):.3g} of the thickness; a sheet thinner "
+        f"than {sheet.max_critical_thickness:.3g} W wrinkles at this length.",
+        sheets=(sheet,),
+    )
+
+
+@claim(
+    place="Sec. III.D, Fig. 6a",
+    quotation="wrinkling is observed in the case of Lo/Wo = 3, at which value no wrinkles are "
+    "predicted according to the analysis of Li and Healey",
+    reading="The sheet of L/W = 3 wrinkles over some range of strain.",
+    tolerance="a birth strain (eigenvalue problem)",
+)
+def wrinkles_when_long(study: StudyTables) -> Finding:
+    """Look for wrinkles of the long sheet."""
+    sheet = study.one(aspect=LONG)
+    return Finding(
+        verdict_of(bool(np.isfinite(sheet.birth))),
+        (
+            Value("birth strain", sheet.birth),
+            Value("decay strain", sheet.end if sheet.wrinkles else np.nan),
+            Value("largest A/t", sheet.peak.get(_PEAK, np.nan)),
+            Value("largest critical thickness over t", _margin(sheet)),
+        ),
+        f"The largest critical thickness is {_margin(sheet):.3g} of the thickness.",
+        sheets=(sheet,),
+    )
+
+
+@claim(
+    place="Abstract, Sec. III.D, Fig. 6a",
+    quotation="a slightly higher cutoff is observed in Lo/Wo, below which wrinkles are not "
+    "observed ... a similar upper cutoff is observed in Lo/Wo above which wrinkles are not "
+    "observed",
+    reading="At this thickness sheets wrinkle only over a finite range of L/W, an island that ends "
+    "within the paper's own range of lengths.",
+    tolerance=f"flat sheets on both sides of those that wrinkle, from L/W = {CUTOFF_RANGE[0]:g} to "
+    f"{CUTOFF_RANGE[1]:g}",
+)
+def island_of_lengths(study: StudyTables) -> Finding:
+    """Find both ends of the range of L/W, where the largest critical thickness equals t."""
+    sheets = list(study.by("aspect").values())
+    aspects = np.array([sheet.aspect for sheet in sheets])
+    excess = np.array([_margin(sheet) - 1.0 for sheet in sheets])
+    wrinkle = np.flatnonzero([sheet.wrinkles for sheet in sheets])
+    if not len(wrinkle) or aspects[0] > CUTOFF_RANGE[0] or aspects[-1] < CUTOFF_RANGE[1]:
+        low, high = CUTOFF_RANGE
+        raise MissingError(f"sheets that wrinkle and others with L/W from {low:g} to {high:g}")
+    first, last = int(wrinkle[0]), int(wrinkle[-1])
+    lower = _crossing(aspects, excess, first - 1) if first > 0 else np.nan
+    upper = _crossing(aspects, excess, last) if last < len(sheets) - 1 else np.nan
+    names = ", ".join(f"{aspects[k]:g}" for k in wrinkle)
+    both = bool(np.isfinite([lower, upper]).all())
+    return Finding(
+        verdict_of(both and len(wrinkle) == last - first + 1),
+        (
+            Value("lower cutoff in L/W", lower),
+            Value("upper cutoff in L/W", upper),
+            Value("shortest sheet that wrinkles: L/W", float(aspects[first])),
+            Value("longest sheet that wrinkles: L/W", float(aspects[last])),
+        ),
+        f"Sheets with L/W = {names} wrinkle. Between them and their flat neighbours the largest "
+        f"critical thickness equals t at L/W = {number_text(lower)} and {number_text(upper)}; "
+        f"Li and Healey's island ends at {EARLIER_ISLAND:g}.",
+        sheets=tuple(sheets),
+    )
+
+
+def _crossing(aspects: Array, excess: Array, k: int) -> float:
+    """Return where a straight line between two neighbours is zero."""
+    a, b = excess[k], excess[k + 1]
+    return float(aspects[k] + (aspects[k + 1] - aspects[k]) * a / (a - b))
+
+
+@claim(
+    place="Abstract, Secs. III.D and V, Fig. 6b",
+    quotation="The wrinkles occur provided the sheet is sufficiently thin compared to its width",
+    reading="At the length of the paper's sheet thick sheets never wrinkle and all thinner ones "
+    "do.",
+    tolerance="at least one sheet of the series never wrinkles, one does, and each of those that "
+    "do is thinner than each of those that do not",
+)
+def thin_enough(study: StudyTables) -> Finding:
+    """Compare the thicknesses that wrinkle with those that do not."""
+    sheets = list(study.by("thickness").values())
+    flat = [sheet for sheet in sheets if not sheet.wrinkles]
+    wrinkled = [sheet for sheet in sheets if sheet.wrinkles]
+    limit = max(sheet.max_critical_thickness for sheet in sheets)
+    if not (wrinkled and flat):
+        raise MissingError(
+            f"sheets thinner and thicker than {limit:.3g} W like {study.sheet.label}"
+        )
+    holds = max(s.thickness for s in wrinkled) < min(s.thickness for s in flat)
+    peaks = ", ".join(f"{s.peak.get(_PEAK, np.nan):.3g} at {s.thickness:g}" for s in wrinkled)
+    return Finding(
+        verdict_of(holds),
+        (
+            Value("largest critical thickness τ/W", limit),
+            Value("thickest sheet that wrinkles: t/W", max(s.thickness for s in wrinkled)),
+            Value("thinnest sheet that does not: t/W", min(s.thickness for s in flat)),
+            *(
+                Value(f"largest A/t, t/W = {s.thickness:g}", s.peak.get(_PEAK, np.nan))
+                for s in sheets
+            ),
+        ),
+        f"Sheets thinner than {limit:.3g} W wrinkle at some strain. Largest A/t by t/W: {peaks}.",
+        sheets=tuple(sheets),
+    )
+
+
+@claim(
+    place="Sec. IV.A",
+    quotation="a threshold value ε_c, which vanishes with the sheet's thickness",
+    reading="The birth strain falls with the thickness, like a positive power of it.",
+    tolerance="lower for each thinner sheet of the series",
+)
+def threshold_vanishes(study: StudyTables) -> Finding:
+    """Fit a power of the thickness to the birth strains of the thickness series."""
+    sheets = [s for s in study.by("thickness").values() if np.isfinite(s.birth)]
+    if len(sheets) < 2:
+        raise MissingError(f"two sheets like {study.sheet.label}, of other thickness, that wrinkle")
+    thickness = np.array([sheet.thickness for sheet in sheets])
+    birth = np.array([sheet.birth for sheet in sheets])
+    power = float(np.polyfit(np.log(thickness), np.log(birth), 1)[0])
+    return Finding(
+        verdict_of(bool((np.diff(birth) > 0.0).all())),
+        (
+            *(
+                Value(f"birth strain, t/W = {t:g}", e)
+                for t, e in zip(thickness, birth, strict=True)
+            ),
+            Value("power of the thickness", power),
+        ),
+        f"Over t/W from {thickness[0]:g} to {thickness[-1]:g} the birth strain goes like "
+        f"t^{power:.2g}.",
+        sheets=tuple(sheets),
+    )
+
+
+CLAIMS: tuple[Claim, ...] = (
+    none_when_short,
+    wrinkles_when_long,
+    island_of_lengths,
+    thin_enough,
+    threshold_vanishes,
+)

@@ -1,0 +1,68 @@
+"""All claims in the order in which the paper makes them."""
+
+from wrinklestudy.studies.panaitescu2019.claims import (
+    confinement,
+    dimensions,
+    models,
+    persistence,
+    slaving,
+    stress,
+    surface,
+    wavelength,
+    width,
+)
+from wrinklestudy.study.claims.finding import Claim
+
+CLAIMS: tuple[Claim, ...] = (
+    # II Experimental system
+    stress.young_modulus,
+    stress.nonlinear_stress,
+    surface.central_region,
+    stress.incompressible,
+    stress.law_fits_data,
+    stress.svk_deviates,
+    # III Wrinkling observations
+    persistence.appear_at_finite_strain,
+    persistence.disappear_at_large_strain,
+    persistence.beyond_earlier_range,
+    surface.strain_definition,
+    surface.colour_bar,
+    surface.colour_bar_in_thicknesses,
+    persistence.rise_and_decay,
+    persistence.flat_at_greatest_strain,
+    surface.antisymmetric,
+    models.neo_hookean_smaller,
+    models.neo_hookean_shorter,
+    persistence.around_three_tenths,
+    models.material_nonlinearity,
+    models.svk_much_lower,
+    dimensions.none_when_short,
+    dimensions.wrinkles_when_long,
+    dimensions.island_of_lengths,
+    dimensions.thin_enough,
+    # IV Far-from-threshold analysis
+    dimensions.threshold_vanishes,
+    wavelength.small_slope,
+    slaving.sinusoid,
+    wavelength.scaled_wavelength,
+    wavelength.discrepancy_near_threshold,
+    wavelength.wavelength_interval,
+    wavelength.length_exponent,
+    wavelength.amplitude_decreases,
+    width.planar_width_retained,
+    width.linear_width,
+    width.nonlinear_width,
+    confinement.zero_outside,
+    confinement.non_monotonic,
+    confinement.order_of_magnitude,
+    confinement.tension_field,
+    confinement.hookean_maximum,
+    slaving.single_constant,
+    slaving.constant_is_one,
+    slaving.collapse,
+    slaving.weak_dependence,
+    slaving.caption_ranges,
+    # V Conclusions
+    models.mooney_rivlin_highest,
+    persistence.persist_to_two_fifths,
+)

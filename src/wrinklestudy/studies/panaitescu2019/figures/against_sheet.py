@@ -1,0 +1,99 @@
+"""What Figs. 6a and 6b have in common: the largest amplitude of each sheet of a row of sheets."""
+
+from collections.abc import Callable
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from wrinklestudy.study.figures import measured, style
+from wrinklestudy.study.figures.against_strain import BELOW, extremes, holes, legend, styled
+from wrinklestudy.study.figures.inputs import Inputs
+from wrinklestudy.study.figures.series import Series
+from wrinklestudy.study.figures.style import GREY, Look
+from wrinklestudy.study.measurements import Points, SheetSize
+
+_COLUMN = "amplitude_over_thickness"
+
+
+def draw(inputs: Inputs, varied: int, number: Callable[[float], float], symbol: str) -> Figure:
+    """Draw max A/t over strain against a number of the sheet, and the curves A/t beside it.
+
+    The maximum lies between the states (`summary.peak_row`). Measured data has the highest point of
+    each sheet that shares what is not varied.
+
+    Parameters
+    ----------
+    inputs : Inputs
+        Tables of the sheets and measured data.
+    varied : int
+        What tells the sheets from each other: 0 for L/W, 1 for t/W.
+    number : callable
+        What the figure is drawn against, as a function of that.
+    symbol : str
+        Its name in mathtext.
+    """
+
+    def place(sheet: SheetSize) -> float:
+        return number(sheet[varied])
+
+    pairs = styled(sorted(inputs.series, key=lambda one: place(one.sheet)))
+    series = [one for one, _ in pairs]
+    figure = style.new(style.WIDE, 5.2)
+    peaks, curves = figure.subplots(1, 2)
+    for one, look in pairs:
+        _maximum(peaks, one, look, place(one.sheet))
+        _curve(curves, one, look)
+    shared = {one.sheet[1 - varied] for one in series}
+    found = sorted(inputs.measured_amplitude().items())
+    row = {place(sheet): one for sheet, one in found if sheet[1 - varied] in shared}
+    maxima = [one.maximum() for one in series]
+    largest = [*maxima, extremes(series, _COLUMN)[1], _measured(peaks, row)]
+    highest = float(np.nanmax(largest)) or 1.0
+    for axes in (peaks, curves):
+        axes.set_ylim(-BELOW * highest, 1.12 * highest)
+    peaks.set_xlabel(f"${symbol}$")
+    peaks.set_ylabel(r"$\max_\varepsilon A/t$")
+    peaks.margins(x=0.08)
+    curves.set_xlabel(r"strain $\varepsilon$")
+    curves.set_xlim(0.0, 1.02 * float(curves.dataLim.x1))
+    curves.set_ylabel("$A/t$")
+    legend(figure, peaks, series, columns=4)
+    return figure
+
+
+def _maximum(axes: Axes, one: Series, look: Look, x: float) -> None:
+    """Draw the maximum of a sheet; at 0 if it never wrinkles, as a hole if it is not known."""
+    highest = one.maximum()
+    if one.never_wrinkles:
+        axes.plot([x], [0.0], "v", color=GREY, mfc="white", ms=5.0, mew=0.8, label="never wrinkles")
+        axes.plot([], [], look.line, color=look.color, label=one.label)
+    elif np.isfinite(highest):
+        axes.plot([x], [highest], look.marker, color=look.color, ms=4.5, label=one.label)
+    else:
+        axes.plot(
+            [x],
+            [0.025],
+            "x",
+            color=GREY,
+            ms=4.0,
+            transform=axes.get_xaxis_transform(),
+            label="maximum not known",
+        )
+        axes.plot([], [], look.line, color=look.color, label=one.label)
+
+
+def _curve(axes: Axes, one: Series, look: Look) -> None:
+    axes.plot(*one.curve(_COLUMN), look.line, color=look.color, lw=0.8)
+    strain, amplitude = one.column("strain")[one.wrinkled], one.column(_COLUMN)[one.wrinkled]
+    axes.plot(strain, amplitude, look.marker, color=look.color, ms=2.4)
+    holes(axes, one, look.color)
+
+
+def _measured(axes: Axes, found: dict[float, Points]) -> float:
+    """Draw the largest measured amplitude of each sheet; return the highest end of a bar."""
+    if not found:
+        return 0.0
+    value, error = np.array([one.highest() for one in found.values()]).T
+    measured.bars(axes, np.array(list(found)), value, error)
+    return float(np.nanmax([value, value + error]))

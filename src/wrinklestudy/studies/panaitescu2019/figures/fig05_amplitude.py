@@ -1,0 +1,51 @@
+"""Fig. 5a: amplitude over thickness against strain, one curve per model, with what was measured."""
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from wrinklestudy.study.figures import style
+from wrinklestudy.study.figures.against_strain import (
+    BELOW,
+    extremes,
+    finish,
+    overlay,
+    points,
+    styled,
+)
+from wrinklestudy.study.figures.inputs import Inputs
+from wrinklestudy.study.figures.series import Series
+
+_COLUMN = "amplitude_over_thickness"
+
+
+def draw(inputs: Inputs) -> Figure:
+    """Draw A/t against strain; diamonds are birth and decay strain of the eigenvalue problem."""
+    series = inputs.series
+    figure, axes = style.panel()
+    for one, look in styled(series):
+        axes.plot(*one.curve(_COLUMN), look.line, color=look.color, lw=0.8)
+        points(axes, one, look, _COLUMN)
+        _ends(axes, one, look.color)
+    measured = overlay(axes, series, inputs.measured_amplitude())
+    axes.set_ylabel("$A/t$")
+    highest = max(extremes(series, _COLUMN)[1], measured) or 1.0
+    axes.set_ylim(-BELOW * highest, 1.1 * highest)
+    finish(figure, axes, series)
+    return figure
+
+
+def _ends(axes: Axes, one: Series, color: str) -> None:
+    ends = [strain for strain in (one.birth, one.decay) if np.isfinite(strain)]
+    if ends:
+        axes.plot(
+            ends,
+            np.zeros(len(ends)),
+            "D",
+            color=color,
+            mfc="white",
+            ms=4.0,
+            zorder=4,
+            clip_on=False,
+            label="birth, decay",
+        )

@@ -1,0 +1,11 @@
+"""Fig. 6b: largest amplitude over strain against W/t, and the curves that it is taken from."""
+
+from matplotlib.figure import Figure
+
+from wrinklestudy.studies.panaitescu2019.figures import against_sheet
+from wrinklestudy.study.figures.inputs import Inputs
+
+
+def draw(inputs: Inputs) -> Figure:
+    """Draw max A/t against W/t, and A/t against strain for each t/W."""
+    return against_sheet.draw(inputs, 1, lambda thickness: 1.0 / thickness, "W/t")

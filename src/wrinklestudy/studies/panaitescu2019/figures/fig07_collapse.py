@@ -1,0 +1,38 @@
+"""Fig. 7d: amplitude against Phi lambda beyond eps = 0.15, for several L/W.
+
+The caption of the paper says both eps > 0 and eps > 0.15: the second is taken.
+"""
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from wrinklestudy.studies.panaitescu2019.figures import slaving
+from wrinklestudy.study.figures import measured, style
+from wrinklestudy.study.figures.against_strain import legend, styled
+from wrinklestudy.study.figures.inputs import Inputs
+
+# Strain beyond which states are shown.
+ABOVE = 0.15
+
+
+def draw(inputs: Inputs) -> Figure:
+    """Draw A/t against Phi lambda/t of the wrinkled states beyond the strain `ABOVE`."""
+    series = sorted(inputs.series, key=lambda one: (one.aspect, one.thickness))
+    figure, axes = style.panel(height=6.4)
+    scans = inputs.scans_of([one.sheet for one in series])
+    shown = [one for one in scans if one.strain > ABOVE]
+    farthest, highest = measured.slaving(axes, shown)
+    holes = 0
+    for one, look in styled(series):
+        holes += int((one.holes & (one.column("strain") > ABOVE)).sum())
+        for average in slaving.AVERAGES:
+            slaved, amplitude = slaving.trajectory(one, average, ABOVE)
+            if np.isfinite(slaved).any():
+                label = one.label if average == slaving.AVERAGES[0] else None
+                slaving.points(axes, slaved, amplitude, look, label)
+            farthest = float(np.nanmax([farthest, *slaved]))
+            highest = float(np.nanmax([highest, *amplitude]))
+    slaving.finish(axes, farthest, highest, holes)
+    axes.text(0.97, 0.04, rf"$\varepsilon > {ABOVE:g}$", transform=axes.transAxes, ha="right")
+    legend(figure, axes, series)
+    return figure

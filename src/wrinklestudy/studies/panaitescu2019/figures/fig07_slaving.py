@@ -1,0 +1,27 @@
+"""Fig. 7c: amplitude against Phi lambda over the whole range of strain."""
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from wrinklestudy.studies.panaitescu2019.figures import slaving
+from wrinklestudy.study.figures import measured, style
+from wrinklestudy.study.figures.against_strain import legend, styled
+from wrinklestudy.study.figures.inputs import Inputs
+
+
+def draw(inputs: Inputs) -> Figure:
+    """Draw A/t against Phi lambda/t of the wrinkled states, arrows toward larger strain."""
+    series = inputs.series
+    figure, axes = style.panel(height=5.4)
+    farthest, highest = measured.slaving(axes, inputs.scans_of([one.sheet for one in series]))
+    for one, look in styled(series):
+        for average in slaving.AVERAGES:
+            slaved, amplitude = slaving.trajectory(one, average)
+            label = one.label if average == slaving.AVERAGES[0] else None
+            slaving.points(axes, slaved, amplitude, look, label)
+            slaving.arrows(axes, slaved, amplitude, look.color)
+            farthest = float(np.nanmax([farthest, *slaved]))
+            highest = float(np.nanmax([highest, *amplitude]))
+    slaving.finish(axes, farthest, highest, sum(int(one.holes.sum()) for one in series))
+    legend(figure, axes, series)
+    return figure

@@ -1,0 +1,128 @@
+"""Table I of the paper, widths in its version and in the original model, with computed values."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from wrinklestudy.studies.panaitescu2019 import theory
+from wrinklestudy.study.claims.sheet import MissingError
+from wrinklestudy.study.claims.tables import StudyTables
+from wrinklestudy.typing import Array
+
+# Strains of the table; of each the nearest wrinkled state is taken, once
+STRAINS = (0.05, 0.1, 0.2, 0.3)
+LARGEST = "largest deviation"
+
+_LINEAR = "W (1 - ν ε)"
+TENSION_FIELD = "tension field theory"
+
+
+@dataclass(frozen=True)
+class Table1Row:
+    """A line of the table, widths over W, nu = 1/2.
+
+    Parameters
+    ----------
+    quantity : str
+        W_act or W_proj.
+    strain : float
+        Of the state.
+    computed : float
+        Width of the computed state.
+    planar : float
+        Width of the flat state of this strain.
+    current, original : str
+        What the paper's version and the original Cerda-Mahadevan model take for it.
+    current_value, original_value : float
+        The same as numbers; NaN where there is no formula.
+    note : str
+        Empty, or in which column the deviation is the largest of all wrinkled states.
+    """
+
+    quantity: str
+    strain: float
+    computed: float
+    planar: float
+    current: str
+    current_value: float
+    original: str
+    original_value: float
+    note: str = ""
+
+    @property
+    def deviation_from_current(self) -> float:
+        """Computed minus current version."""
+        return self.computed - self.current_value
+
+    @property
+    def deviation_from_original(self) -> float:
+        """Computed minus original model."""
+        return self.computed - self.original_value
+
+
+COLUMNS = (
+    "quantity",
+    "strain",
+    "computed",
+    "planar",
+    "current",
+    "current_value",
+    "deviation_from_current",
+    "original",
+    "original_value",
+    "deviation_from_original",
+    "note",
+)
+
+
+def rows(study: StudyTables) -> list[Table1Row]:
+    """Return the table for the paper's sheet; empty if it has no wrinkled state."""
+    try:
+        sheet = study.sheet
+        strain, arc, projected, planar = sheet.wrinkled(
+            "strain",
+            "arc_width_over_width",
+            "projected_width_over_width",
+            "planar_width_over_width",
+        )
+    except MissingError:
+        return []
+    linear = theory.actual_width(strain)
+    nothing, whole = np.full_like(strain, np.nan), np.ones_like(strain)
+    return [
+        *_quantity("W_act", strain, arc, planar, (_LINEAR, linear), ("W", whole)),
+        *_quantity(
+            "W_proj", strain, projected, planar, (TENSION_FIELD, nothing), (_LINEAR, linear)
+        ),
+    ]
+
+
+def _quantity(
+    name: str,
+    strain: Array,
+    computed: Array,
+    planar: Array,
+    current: tuple[str, Array],
+    original: tuple[str, Array],
+) -> list[Table1Row]:
+    """Return the lines of one quantity: at a few strains, then the largest deviations."""
+
+    def row(k: int, note: str = "") -> Table1Row:
+        return Table1Row(
+            name,
+            float(strain[k]),
+            float(computed[k]),
+            float(planar[k]),
+            current[0],
+            float(current[1][k]),
+            original[0],
+            float(original[1][k]),
+            note,
+        )
+
+    shown = sorted({int(np.argmin(np.abs(strain - wanted))) for wanted in STRAINS})
+    lines = [row(k) for k in shown]
+    for text, (_, value) in (("current version", current), ("original model", original)):
+        if np.isfinite(value).all():
+            lines.append(row(int(np.argmax(np.abs(computed - value))), f"{LARGEST} from {text}"))
+    return lines

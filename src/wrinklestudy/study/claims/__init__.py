@@ -1,0 +1,1 @@
+"""Claims: statements about results, and how a verdict is reached."""

@@ -1,0 +1,171 @@
+"""What is found about one statement of the paper, and how a verdict is reached."""
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+import numpy as np
+
+from wrinklestudy.study.claims.sheet import MissingError, SheetStates
+from wrinklestudy.study.claims.tables import StudyTables
+from wrinklestudy.typing import Array
+
+Verdict = Literal["agree", "disagree", "depends on", "not computed"]
+VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
+
+_BEYOND = "beyond the largest strain computed"
+
+
+def number_text(number: float, digits: int = 3) -> str:
+    """Return a number with some significant digits; NaN and inf in words, as in `Value`."""
+    if math.isnan(number):
+        return "none"
+    return _BEYOND if math.isinf(number) else f"{number:.{digits}g}"
+
+
+@dataclass(frozen=True)
+class Value:
+    """A computed number.
+
+    Parameters
+    ----------
+    name : str
+        What it is.
+    number : float
+        NaN if there is none, inf for a strain beyond those computed.
+    unit : str
+        Unit, empty for a ratio.
+    digits : int
+        Significant digits in texts; the CSV has all.
+    """
+
+    name: str
+    number: float
+    unit: str = ""
+    digits: int = 3
+
+    @property
+    def text(self) -> str:
+        """The number with its unit."""
+        return f"{number_text(self.number, self.digits)} {self.unit}".rstrip()
+
+
+@dataclass(frozen=True)
+class Finding:
+    """The outcome of one claim.
+
+    Parameters
+    ----------
+    verdict : Verdict
+        Follows from the values by the tolerance of the claim.
+    values : tuple of Value
+        What was computed.
+    explanation : str
+        In words, with the computed numbers; never empty for a disagreement or a dependence.
+    depends_on : str
+        On what, where the verdict depends on something.
+    sheets : tuple of Sheet
+        The sheets that the values come from.
+    """
+
+    verdict: Verdict
+    values: tuple[Value, ...] = ()
+    explanation: str = ""
+    depends_on: str = ""
+    sheets: tuple[SheetStates, ...] = ()
+
+    def __post_init__(self) -> None:
+        """Refuse a verdict that says too little.
+
+        Raises
+        ------
+        ValueError
+            If anything but an agreement has no explanation, or a dependence names nothing.
+        """
+        if self.verdict != "agree" and not self.explanation:
+            raise ValueError(f"verdict {self.verdict!r}: needs an explanation")
+        if (self.verdict == "depends on") != bool(self.depends_on):
+            raise ValueError(f"verdict {self.verdict!r}: depends_on = {self.depends_on!r}")
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A statement of the paper and the rule that judges it.
+
+    Parameters
+    ----------
+    key : str
+        Short name.
+    place : str
+        Section or figure, numbered as the paper's LaTeX numbers them.
+    quotation : str
+        The words of the paper.
+    reading : str
+        What they are taken to say.
+    tolerance : str
+        When the study counts as agreeing.
+    judge : callable
+        From a study to a finding; raises `MissingError` where the study lacks something.
+    """
+
+    key: str
+    place: str
+    quotation: str
+    reading: str
+    tolerance: str
+    judge: Callable[[StudyTables], Finding]
+
+    def found(self, study: StudyTables) -> Finding:
+        """Return what a study says; 'not computed' with the reason where it lacks something."""
+        try:
+            return self.judge(study)
+        except MissingError as lack:
+            return Finding("not computed", explanation=f"Not in the study: {lack}.")
+
+
+def claim(
+    place: str, quotation: str, reading: str, tolerance: str
+) -> Callable[[Callable[[StudyTables], Finding]], Claim]:
+    """Return a decorator that makes a rule a `Claim`, named after the function."""
+
+    def wrap(judge: Callable[[StudyTables], Finding]) -> Claim:
+        key = judge.__name__.replace("_", "-")
+        return Claim(key, place, quotation, reading, tolerance, judge)
+
+    return wrap
+
+
+def largest(name: str, numbers: Array, strain: Array) -> tuple[Value, Value]:
+    """Return the number of the largest size under a name, and the strain where it is."""
+    worst = int(np.argmax(np.abs(numbers)))
+    return Value(name, float(numbers[worst])), Value("at strain", float(strain[worst]))
+
+
+def verdict_of(holds: bool) -> Verdict:
+    """Return 'agree' or 'disagree'."""
+    return "agree" if holds else "disagree"
+
+
+def verdict_across(outcomes: Mapping[str, bool], what: str) -> tuple[Verdict, str]:
+    """Return the verdict over several versions of the model, and on what it depends.
+
+    Parameters
+    ----------
+    outcomes : mapping
+        Whether the claim holds, by version.
+    what : str
+        What tells the versions apart.
+    """
+    if all(outcomes.values()):
+        return "agree", ""
+    if not any(outcomes.values()):
+        return "disagree", ""
+    yes = ", ".join(name for name, holds in outcomes.items() if holds)
+    no = ", ".join(name for name, holds in outcomes.items() if not holds)
+    return "depends on", f"{what} (holds for {yes}; not for {no})"
+
+
+def listed(numbers: Mapping[str, float], digits: int = 3) -> str:
+    """Return named numbers as a part of a sentence."""
+    return ", ".join(f"{number_text(v, digits)} ({name})" for name, v in numbers.items())

@@ -1,0 +1,247 @@
+"""The study as the claims see it: its sheets and materials, read from the tables."""
+
+import csv
+import math
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from os import fspath
+from typing import Any
+
+import numpy as np
+
+from wrinklestudy.material.result import Fit
+from wrinklestudy.results.files import read_json
+from wrinklestudy.results.materials import load_fit
+from wrinklestudy.results.peaks import PEAK_COLUMNS
+from wrinklestudy.results.table import CASE, COLUMNS, STABILITY_COLUMNS
+from wrinklestudy.study.claims.sheet import MissingError, SheetStates, attribute_text
+from wrinklestudy.typing import AnyPath
+
+Key = tuple[str, str, str, str, float, float]
+Row = Mapping[str, Any]
+
+_TEXTS = ("material", "law", "bending", "parity", "status", "reason")
+_NUMBERS = tuple(name for name in COLUMNS if name not in _TEXTS)
+_ATTRIBUTES = ("law", "bending", "parity", "aspect", "thickness")
+# Models of one material have the same initial modulus up to rounding
+_SAME_MODULUS = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class FittedMaterial:
+    """A fit of the study.
+
+    Parameters
+    ----------
+    name : str
+        Name in the study.
+    fit : Fit
+        Constants of the law.
+    note : str
+        Header of the data that it was fitted to.
+    """
+
+    name: str
+    fit: Fit
+    note: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class StudyTables:
+    """All sheets and materials, with the sheet that the paper's text is about.
+
+    Parameters
+    ----------
+    sheets : tuple of Sheet
+    materials : tuple of Material
+    wanted : tuple of (str, float, float)
+        Name of the model, L/W and t/W of the paper's sheet.
+    """
+
+    sheets: tuple[SheetStates, ...] = field(repr=False)
+    materials: tuple[FittedMaterial, ...] = field(repr=False)
+    wanted: tuple[str, float, float]
+
+    @property
+    def sheet(self) -> SheetStates:
+        """The paper's sheet.
+
+        Raises
+        ------
+        MissingError
+            If the study lacks it.
+        """
+        for sheet in self.sheets:
+            if (sheet.material, sheet.aspect, sheet.thickness) == self.wanted:
+                return sheet
+        name, aspect, thickness = self.wanted
+        raise MissingError(f"sheet {name}, L/W = {aspect:g}, t/W = {thickness:g}")
+
+    @property
+    def material(self) -> FittedMaterial:
+        """The material of the paper's sheet.
+
+        Raises
+        ------
+        MissingError
+            If its file is not there.
+        """
+        found = self._material_of(self.sheet)
+        if found is None:
+            raise MissingError(f"material file of {self.wanted[0]}")
+        return found
+
+    def select(self, *varied: str, **fixed: str | float) -> list[SheetStates]:
+        """Return the sheets that differ from the paper's sheet in nothing but what is named.
+
+        Parameters
+        ----------
+        *varied : str
+            Attributes that may have any value: law, bending, parity, aspect, thickness.
+        **fixed : str or float
+            Attributes that have another value than the paper's sheet.
+
+        Returns
+        -------
+        list of Sheet
+            Sorted by the varied attributes, each combination once. They have the material of the
+            paper's sheet or, for another law, one fitted to the same data.
+        """
+        base = self.sheet
+        wanted = {name: getattr(base, name) for name in _ATTRIBUTES if name not in varied} | fixed
+        found: dict[tuple[Any, ...], SheetStates] = {}
+        for sheet in sorted(
+            self.sheets, key=lambda one: (one.material != base.material, one.material)
+        ):
+            matches = all(getattr(sheet, name) == value for name, value in wanted.items())
+            if matches and self._related(sheet, base):
+                found.setdefault(tuple(getattr(sheet, name) for name in _ATTRIBUTES), sheet)
+        return sorted(found.values(), key=lambda one: tuple(getattr(one, n) for n in varied))
+
+    def one(self, **fixed: str | float) -> SheetStates:
+        """Return the one sheet that differs from the paper's sheet in the attributes given.
+
+        Raises
+        ------
+        MissingError
+            If the study lacks it.
+        """
+        found = self.select(**fixed)
+        if not found:
+            which = ", ".join(attribute_text(name, value) for name, value in fixed.items())
+            raise MissingError(f"a sheet like {self.sheet.label} but {which}")
+        return found[0]
+
+    def by(self, name: str, **fixed: str | float) -> dict[Any, SheetStates]:
+        """Return the sheets that differ from the paper's sheet in one attribute, by its value."""
+        return {getattr(sheet, name): sheet for sheet in self.select(name, **fixed)}
+
+    def _related(self, sheet: SheetStates, base: SheetStates) -> bool:
+        """Return whether two models have one material or, for two laws, one set of data."""
+        if sheet.material == base.material:
+            return True
+        mine, its = self._material_of(base), self._material_of(sheet)
+        if mine is None or its is None:
+            return False
+        if sheet.law == base.law:
+            return mine.name == its.name
+        return mine.fit.source == its.fit.source
+
+    def _material_of(self, sheet: SheetStates) -> FittedMaterial | None:
+        """Return the material of a model: of its name or, for a variant, of its modulus."""
+        for material in self.materials:
+            if material.name == sheet.material:
+                return material
+        moduli = sheet.columns["young_modulus_pa"]
+        known = moduli[np.isfinite(moduli)]
+        for material in self.materials:
+            modulus = material.fit.material().young_modulus
+            same = len(known) > 0 and abs(known[0] - modulus) <= _SAME_MODULUS * modulus
+            if same and material.fit.law == sheet.law:
+                return material
+        return None
+
+
+def load(
+    states: AnyPath,
+    stability: AnyPath,
+    peaks: AnyPath,
+    materials: Sequence[AnyPath],
+    sheet: tuple[str, float, float],
+) -> StudyTables:
+    """Read a study from the tables of the summary stage and its material files.
+
+    Parameters
+    ----------
+    states, stability, peaks : path-like
+        Tables of the summary stage.
+    materials : sequence of path-like
+        Files of the material stage.
+    sheet : tuple of (str, float, float)
+        Model, L/W and t/W of the paper's sheet.
+
+    Raises
+    ------
+    ValueError
+        If a column is missing or a cell is no number; one line that names the file.
+    """
+    rows: dict[Key, list[Row]] = defaultdict(list)
+    for row in _read(states, COLUMNS):
+        rows[_key(row)].append(row)
+    limits = {_key(row): row for row in _read(stability, STABILITY_COLUMNS)}
+    highest = {_key(row): row for row in _read(peaks, PEAK_COLUMNS)}
+    sheets = [
+        _sheet(key, rows[key], limits.get(key, {}), highest.get(key, {})) for key in sorted(rows)
+    ]
+    name, aspect, thickness = sheet
+    loaded = tuple(
+        FittedMaterial(_name(path), load_fit(fspath(path)), read_json(path).get("source_note", ""))
+        for path in sorted(materials, key=fspath)
+    )
+    return StudyTables(tuple(sheets), loaded, (name, float(aspect), float(thickness)))
+
+
+def _name(path: AnyPath) -> str:
+    content = read_json(path)
+    if not isinstance(content, dict) or not isinstance(content.get("name"), str):
+        raise ValueError(f"{fspath(path)}: key 'name' is missing; not a material file")
+    return str(content["name"])
+
+
+def _sheet(key: Key, rows: list[Row], limit: Row, peak: Row) -> SheetStates:
+    rows = sorted(rows, key=lambda row: row["strain"])
+    return SheetStates(
+        *key,
+        status=tuple(row["status"] for row in rows),
+        columns={name: np.array([row[name] for row in rows], dtype=float) for name in _NUMBERS},
+        reasons=tuple(row["reason"] for row in rows),
+        birth=limit.get("birth_strain", math.nan),
+        decay=limit.get("decay_strain", math.nan),
+        max_critical_thickness=limit.get("max_critical_thickness", math.nan),
+        strain_at_max=limit.get("strain_at_max", math.nan),
+        peak={name: value for name, value in peak.items() if name not in CASE},
+    )
+
+
+def _key(row: Row) -> Key:
+    material, law, bending, parity, aspect, thickness = (row[name] for name in CASE)
+    return material, law, bending, parity, aspect, thickness
+
+
+def _read(path: AnyPath, columns: Mapping[str, str]) -> list[dict[str, Any]]:
+    with open(path, newline="", encoding="utf-8") as file:
+        reader = csv.DictReader(file)
+        missing = [name for name in columns if name not in (reader.fieldnames or ())]
+        if missing:
+            raise ValueError(f"{fspath(path)}: column {missing[0]!r} is missing")
+        return [{name: _cell(path, name, row[name]) for name in columns} for row in reader]
+
+
+def _cell(path: AnyPath, column: str, text: str | None) -> str | float:
+    if column in _TEXTS:
+        return text or ""
+    try:
+        return float(text or "nan")
+    except ValueError:
+        raise ValueError(f"{fspath(path)}: {column} = {text!r}: must be a number") from None

@@ -1,0 +1,1 @@
+"""What figures share: their inputs, one style, measured data laid over them."""

@@ -1,0 +1,84 @@
+"""How measured data is laid over a figure: black stars, with bars or a band of their error."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from wrinklestudy.study.figures.style import BLACK, GREY
+from wrinklestudy.study.measurements import Points, Scan
+from wrinklestudy.typing import Array
+
+LABEL = "measured"
+
+
+def bars(
+    axes: Axes,
+    x: Array,
+    y: Array,
+    error: Array,
+    x_error: Array | None = None,
+    label: str | None = LABEL,
+    face: str = "white",
+) -> None:
+    """Draw measured points with bars where the error is known."""
+    axes.errorbar(
+        x,
+        y,
+        yerr=error,
+        xerr=x_error,
+        fmt="*",
+        color=BLACK,
+        mfc=face,
+        ms=5.5,
+        mew=0.6,
+        elinewidth=0.5,
+        zorder=1.5,  # what is computed lies on top
+        label=label,
+    )
+
+
+def band(axes: Axes, points: Points, factor: float = 1.0) -> float:
+    """Draw measured points against strain on a band of their error; return the highest end."""
+    strain, value, error = points.strain, factor * points.value, factor * points.error
+    bars(axes, strain, value, error)
+    edges = np.unique(strain)
+    low = [np.min((value - error)[strain == one]) for one in edges]
+    high = [np.max((value + error)[strain == one]) for one in edges]
+    axes.fill_between(edges, low, high, color=GREY, alpha=0.25, lw=0.0, zorder=0)
+    return float(np.nanmax([value, value + error]))
+
+
+def confinement(scans: Sequence[Scan]) -> Points | None:
+    """Return Phi^2 of the full width against strain of scanned profiles, None if there are none.
+
+    Phi^2 grows as the square of the deflection, so that its relative error is twice that of A.
+    """
+    if not scans:
+        return None
+    value = np.array([one.measures.phi_squared for one in scans])
+    relative = np.array([one.relative_error for one in scans])
+    return Points(np.array([one.strain for one in scans]), value, 2.0 * relative * value)
+
+
+def slaving(axes: Axes, scans: Sequence[Scan]) -> tuple[float, float]:
+    """Draw A/t against Phi lambda/t of the wrinkled profiles; return the largest of either.
+
+    Filled for Phi over the full width, open for the central wrinkle, as the computed states.
+    """
+    shown = [one for one in scans if one.wrinkled]
+    if not shown:
+        return 0.0, 0.0
+    thickness = np.array([one.sheet[1] for one in shown])
+    relative = np.array([one.relative_error for one in shown])
+    amplitude = np.array([one.measures.amplitude for one in shown]) / thickness
+    wavelength = np.array([one.measures.wavelength for one in shown]) / thickness
+    farthest = 0.0
+    for face, label, name in (
+        (BLACK, LABEL, "phi_squared"),
+        ("white", None, "phi_squared_central"),
+    ):
+        slaved = wavelength * np.sqrt([getattr(one.measures, name) for one in shown])
+        bars(axes, slaved, amplitude, relative * amplitude, relative * slaved, label, face)
+        farthest = float(np.nanmax([farthest, *slaved]))
+    return farthest, float(amplitude.max())

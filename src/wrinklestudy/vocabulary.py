@@ -1,0 +1,9 @@
+"""Words and limits that the whole library shares: one place for what may be said of a sheet."""
+
+from typing import Literal, get_args
+
+Bending = Literal["thinning", "fixed-thickness", "fvk"]
+Parity = Literal["antisymmetric", "symmetric"]
+
+BENDING_LAWS: tuple[Bending, ...] = get_args(Bending)
+PARITIES: tuple[Parity, ...] = get_args(Parity)

@@ -1,0 +1,76 @@
+"""Both factorisations: solutions, definiteness and inertia against dense linear algebra."""
+
+import importlib.util
+
+import numpy as np
+import pytest
+from scipy import sparse
+
+from wrinklestudy.fem import factorisation
+
+SOLVERS = [
+    pytest.param(
+        factorisation.PardisoSolver,
+        marks=pytest.mark.skipif(
+            importlib.util.find_spec("pypardiso") is None,
+            reason="pypardiso has wheels for x86-64 only",
+        ),
+    ),
+    factorisation.SuperLUSolver,
+]
+
+
+def matrix(shift, size=80, seed=0):
+    """A symmetric matrix with rows of very different size, like bending beside stretching."""
+    rng = np.random.default_rng(seed)
+    random = sparse.random_array((size, size), density=0.05, rng=rng)
+    full = (random + random.T).toarray() + shift * np.eye(size)
+    scale = np.where(np.arange(size) < size // 2, 1.0, 1e-4)
+    return scale[:, None] * full * scale
+
+
+def upper(full):
+    return sparse.csr_array(sparse.triu(sparse.csr_array(full), format="csr"))
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+def test_solves_one_and_several_right_hand_sides(solver):
+    full = matrix(5.0)
+    assert np.linalg.eigvalsh(full).min() > 0
+    factor = solver()
+    factor.factorise(upper(full))
+    rhs = np.random.default_rng(1).standard_normal((len(full), 3))
+    for block in (rhs, rhs[:, 0]):
+        solution = factor.solve(block)
+        # every row in its own scale: the soft ones count as much as the stiff ones
+        assert np.allclose(full @ solution, block, atol=1e-10)
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+def test_reuses_the_pattern_for_new_numbers(solver):
+    factor = solver()
+    for shift in (5.0, 8.0):
+        full = matrix(shift)
+        factor.factorise(upper(full))
+        assert np.allclose(full @ factor.solve(np.ones(len(full))), 1.0, atol=1e-10)
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+@pytest.mark.parametrize("shift", [-1.0, 0.01, 0.5, 1.2, 5.0])
+def test_inertia_and_definiteness(solver, shift):
+    full = matrix(shift)
+    negative = int(np.sum(np.linalg.eigvalsh(full) < 0))
+    factor = solver()
+    assert factor.negative(upper(full)) == negative
+    if negative:
+        with pytest.raises(factorisation.NotPositiveDefiniteError):
+            factor.factorise(upper(full))
+    else:
+        factor.factorise(upper(full))
+
+
+def test_multiply_uses_both_triangles():
+    full = matrix(0.3)
+    block = np.random.default_rng(2).standard_normal((len(full), 2))
+    assert np.allclose(factorisation.multiply(upper(full), block), full @ block)
+    assert np.allclose(factorisation.multiply(upper(full), block[:, 0]), full @ block[:, 0])

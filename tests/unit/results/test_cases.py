@@ -1,0 +1,180 @@
+"""One number has one text and one file, and a study is a set of cases."""
+
+import math
+import re
+
+import pytest
+from hypothesis import assume, example, given
+from hypothesis import strategies as st
+
+from wrinklestudy.results import cases
+from wrinklestudy.results.cases import Case, StudySheet, canonical, format_value, parse_value
+from wrinklestudy.results.paths import Paths
+
+positive = st.floats(min_value=1e-12, max_value=1e12)
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (0.1 + 0.2, "0.3"),
+        (1e-3, "0.001"),
+        (1.25e-4, "0.000125"),
+        (1 / 3, "0.333333333333"),
+        (2.0, "2"),
+        (100.0, "100"),
+        (1e12, "1000000000000"),
+        (-0.0, "0"),
+    ],
+)
+def test_format_of_known_numbers(value, text):
+    assert format_value(value) == text
+
+
+@given(positive)
+@example(0.1 + 0.2)
+@example(9.999999999999999)
+def test_text_and_number_round_trip(value):
+    text = format_value(value)
+    assert re.fullmatch(cases.VALUE_PATTERN, text)
+    assert parse_value(text) == pytest.approx(value, rel=1e-11)
+    assert format_value(parse_value(text)) == text
+
+
+@given(st.integers(1, 10**6), st.integers(0, 9))
+def test_a_decimal_that_a_user_writes_is_kept_exactly(digits, places):
+    value = digits / 10**places
+    assert parse_value(format_value(value)) == value
+
+
+@given(positive, st.integers(-3, 3))
+def test_rounding_noise_makes_no_second_file(value, steps):
+    value = canonical(value)
+    noisy = value
+    for _ in range(abs(steps)):
+        noisy = math.nextafter(noisy, math.copysign(math.inf, steps))
+    assert format_value(noisy) == format_value(value)
+
+
+@pytest.mark.parametrize("value", [-0.1, math.nan, math.inf])
+def test_what_is_no_strain_has_no_text(value):
+    with pytest.raises(ValueError, match="finite number >= 0"):
+        format_value(value)
+
+
+@pytest.mark.parametrize("text", ["0.10", "1e-3", ".5", "01", "-1", "1.", "nan", "", "1,5", " 1"])
+def test_a_second_spelling_is_refused(text):
+    with pytest.raises(ValueError, match="plain decimal"):
+        parse_value(text)
+
+
+@given(st.text(alphabet="0123456789.e-+", max_size=8))
+def test_parsing_accepts_only_what_formatting_writes(text):
+    try:
+        value = parse_value(text)
+    except ValueError:
+        assume(False)
+    assert format_value(value) == text
+
+
+@given(st.integers(1, 500), st.integers(0, 60), st.integers(1, 100))
+def test_a_range_has_exact_decimals_and_both_ends(first, count, width):
+    start, step = first / 1000, width / 1000
+    stop = (first + count * width) / 1000
+    values = cases.strain_range(start, stop, step)
+    assert values == tuple((first + k * width) / 1000 for k in range(count + 1))
+
+
+def test_a_range_ends_before_a_stop_between_its_values():
+    assert cases.strain_range(0.1, 0.25, 0.1) == (0.1, 0.2)
+
+
+@pytest.mark.parametrize(("start", "stop", "step"), [(0.2, 0.1, 0.1), (0.1, 0.2, 0.0)])
+def test_a_range_without_values_is_an_error(start, stop, step):
+    with pytest.raises(ValueError, match="no values"):
+        cases.strain_range(start, stop, step)
+
+
+@pytest.mark.parametrize(
+    ("thickness", "resolved"),
+    [(1.6e-3, 1e-3), (1e-3, 1e-3), (9.9e-4, 5e-4), (7e-4, 5e-4), (5e-4, 5e-4), (1.25e-4, 1.25e-4)],
+)
+def test_design_thickness(thickness, resolved):
+    assert cases.resolved_thickness(thickness) == resolved
+
+
+@given(st.floats(min_value=1e-6, max_value=0.05))
+def test_a_mesh_resolves_its_sheet_but_not_a_sheet_half_as_thick(thickness):
+    resolved = cases.resolved_thickness(thickness)
+    assert resolved <= thickness * (1 + 1e-8)
+    assert resolved == 1e-3 or 2 * resolved > thickness * (1 - 1e-8)
+    assert cases.resolved_thickness(resolved) == resolved
+
+
+def test_a_thickness_must_be_positive():
+    with pytest.raises(ValueError, match="must be > 0"):
+        cases.resolved_thickness(0.0)
+
+
+def test_cases_are_unique_and_sorted():
+    series = [
+        ("latex", [2.0], [1e-3], [0.3, 0.1]),
+        ("latex", [2.0, 1.5], [1e-3], [0.1 + 0.2]),
+    ]
+    thin = StudySheet("latex", 2.0, 1e-3)
+    short = StudySheet("latex", 1.5, 1e-3)
+    assert cases.cases(series) == (Case(short, 0.3), Case(thin, 0.1), Case(thin, 0.3))
+
+
+def test_sheets_of_one_class_share_the_planar_state_but_not_the_wrinkle():
+    thick, thin = (Case(StudySheet("latex", 2.0, t), 0.1) for t in (1.2e-3, 1e-3))
+    paths = Paths("results/quick", "figures/quick")
+    assert paths.planar(thick) == paths.planar(thin)
+    assert paths.wrinkle(thick) != paths.wrinkle(thin)
+    assert paths.planar(thin) == "results/quick/planar/latex/aspect2_resolves0.001/strain0.1.h5"
+
+
+@pytest.mark.parametrize("output", ["metrics", "stability"])
+def test_a_sheet_has_one_file_of_its_own(output):
+    paths = Paths("out")
+    sheets = [
+        StudySheet(name, a, t) for name in ("a", "b") for a in (1.5, 2.0) for t in (5e-4, 1e-3)
+    ]
+    files = {paths.of_sheet(output, sheet) for sheet in sheets}
+    assert len(files) == len(sheets)
+    assert all(file.startswith(f"out/{output}/") for file in files)
+
+
+STAGES = (
+    "material",
+    "mesh",
+    "planar",
+    "stability",
+    "wrinkle",
+    "metrics",
+    "summary",
+    "claims",
+    "gate",
+)
+
+
+@pytest.mark.parametrize("stage", STAGES)
+def test_outputs_logs_and_run_times_have_the_same_wildcards_and_different_files(stage):
+    paths = Paths("out")
+    three = [paths.pattern(stage), paths.log(stage), paths.benchmark(stage)]
+    wildcards = [re.findall(r"{(\w+)}", path) for path in three]
+    assert wildcards[0] == wildcards[1] == wildcards[2]
+    assert len(set(three)) == 3
+    assert all(path.startswith("out/") for path in three)
+
+
+@given(positive, positive, positive)
+def test_a_path_gives_its_case_back(aspect, thickness, strain):
+    path = Paths().wrinkle(Case(StudySheet("latex-2", aspect, thickness), strain))
+    pattern = re.sub(r"{(\w+)}", r"(?P<\1>[^/_]+)", re.escape(Paths().pattern("wrinkle")))
+    pattern = re.sub(r"\\{(\w+)\\}", r"(?P<\1>[^/_]+)", pattern)
+    found = re.fullmatch(pattern, path)
+    assert found is not None
+    assert found["material"] == "latex-2"
+    values = [parse_value(found[name]) for name in ("aspect", "thickness", "strain")]
+    assert values == [canonical(aspect), canonical(thickness), canonical(strain)]

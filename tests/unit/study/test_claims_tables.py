@@ -1,0 +1,76 @@
+"""What the claims are told of a study: numbers of a sheet, series of sheets, Table I."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from made_up_study import MATERIALS, STRAIN, material, shape, sheet, world
+
+from wrinklestudy.studies.panaitescu2019 import table1
+from wrinklestudy.studies.panaitescu2019.claims import confinement
+from wrinklestudy.study.claims.finding import Finding, verdict_across
+from wrinklestudy.study.claims.sheet import MissingError
+
+
+def test_nothing_is_interpolated_across_a_state_that_did_not_converge():
+    one = sheet()
+    assert one.at("phi_squared", 0.11) == pytest.approx(
+        1.25e-3 * shape(0.11, 0.025, 0.06, 0.4), rel=1e-3
+    )
+    assert one.at("phi_squared", 0.45) == one.at("phi_squared", 0.005) == 0.0
+    status = list(one.status)
+    status[list(STRAIN).index(0.12)] = "not-converged"
+    with pytest.raises(MissingError, match=r"phi_squared at strain 0.11 of latex"):
+        replace(one, status=tuple(status)).at("phi_squared", 0.11)
+    with pytest.raises(MissingError, match=r"wavelength_over_width at strain 0.5"):
+        one.at("wavelength_over_width", 0.5)
+
+
+def test_a_model_of_other_rubber_is_left_alone():
+    """A sheet of another material with the same law must not enter a series of this one."""
+    other = sheet("treloar", aspect=2.2, modulus=1.2e6)
+    twin = sheet("treloar", law="neo-hookean", decay=0.1, modulus=1.1e6)
+    materials = (
+        *MATERIALS,
+        material("treloar", constants={"c10": 1e5, "c01": 1e5}, source="treloar.csv"),
+    )
+    study = replace(world(materials), sheets=(other, twin, *world().sheets))
+    assert 2.2 not in study.by("aspect")
+    assert study.one(law="neo-hookean").material == "nh"
+
+
+def test_a_variant_belongs_to_its_material_by_law_and_modulus():
+    study = world()
+    assert set(study.by("bending")) == {"thinning", "fixed-thickness", "fvk"}
+    softer = world(fixed={"modulus": 1.001e6})
+    assert set(softer.by("bending")) == {"thinning", "fvk"}
+
+
+def test_a_verdict_that_depends_names_what_on_and_a_disagreement_is_explained():
+    assert verdict_across({"a": True, "b": False}, "x") == (
+        "depends on",
+        "x (holds for a; not for b)",
+    )
+    with pytest.raises(ValueError, match="needs an explanation"):
+        Finding("disagree")
+    with pytest.raises(ValueError, match="depends_on"):
+        Finding("depends on", explanation="because")
+
+
+def test_table_1_has_both_widths_and_the_largest_deviations():
+    rows = table1.rows(world())
+    assert {row.quantity for row in rows} == {"W_act", "W_proj"}
+    first = rows[0]
+    assert first.current_value == pytest.approx(1.0 - 0.5 * first.strain)
+    assert first.deviation_from_original == pytest.approx(first.computed - 1.0)
+    largest = next(row for row in rows if "current" in row.note)
+    arc = 0.4 * (0.38 - 0.1) ** 2  # how far the synthetic width bends away
+    assert largest.deviation_from_current == pytest.approx(arc)
+    projected = next(row for row in rows if row.quantity == "W_proj")
+    assert projected.current == table1.TENSION_FIELD
+    assert np.isnan(projected.current_value)
+    assert table1.rows(world(base=None)) == []
+
+
+def test_both_averages_of_phi_are_used():
+    assert set(confinement.AVERAGES.values()) == {"phi_squared", "phi_squared_central"}

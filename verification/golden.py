@@ -1,0 +1,206 @@
+"""Golden numbers: what the default mesh gives, with the error of that mesh as tolerance.
+
+    python -m verification.golden verification/golden.csv
+
+computes them on the default mesh and on one that is half as fine again, and writes a new file. The
+tolerance of a number is its difference between the two meshes: a change of the code that moves a
+number by more changes the physics, one that moves it by less is a matter of discretisation.
+"""
+
+import csv
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+from verification.sheets import LATEX, NEO_HOOKEAN, SVK, TEN_TO_ONE
+from wrinklestudy.fem.grid import MeshSettings
+from wrinklestudy.material.fit import fit
+from wrinklestudy.mechanics.laws import Material
+from wrinklestudy.results.files import atomic_path
+from wrinklestudy.sheet import Sheet, State
+from wrinklestudy.vocabulary import Bending, Parity
+
+DEFAULT = (MeshSettings().cells_along, MeshSettings().cells_across)
+FINER = (36, 54)
+COLUMNS = ("name", "value", "tolerance", "basis")
+DISCRETISATION, ROUNDING = "difference to the finer mesh", "rounding"
+SEARCH = "accuracy of the search"
+TRELOAR = Path("data/treloar1944.csv")
+
+# Smallest tolerances in parts of the value: of numbers from a mesh, of those without one
+_LEAST = {DISCRETISATION: 1e-7, ROUNDING: 1e-9}
+_STRAIN, _ENDS = 1e-5, ("birth", "decay")  # to which these strains are found
+
+
+@dataclass(frozen=True)
+class Golden:
+    """A number that must stay.
+
+    Parameters
+    ----------
+    value, tolerance : float
+        Tolerance is absolute.
+    basis : str
+        Where the tolerance comes from.
+    """
+
+    value: float
+    tolerance: float
+    basis: str
+
+
+@dataclass(frozen=True)
+class Case:
+    """States of one sheet whose numbers are kept."""
+
+    label: str
+    material: Material
+    strains: tuple[float, ...]
+    measures: tuple[str, ...] = ("A/t",)
+    ends: tuple[str, ...] = ()
+    bending: Bending = "thinning"
+    parity: Parity = "antisymmetric"
+    aspect: float = 2.0
+    thickness: float = 1.0e-3
+
+
+CASES = (
+    Case("latex", LATEX, (0.06, 0.12, 0.2, 0.3, 0.37), ("A/t", "Phi^2"), ("birth", "decay")),
+    Case(
+        "latex",
+        LATEX,
+        (0.12,),
+        ("lambda/W", "W_act/W", "W_proj/W", "stress/mu", "energy", "saved", "tau_1"),
+    ),
+    Case("latex symmetric", LATEX, (0.12,), parity="symmetric"),
+    Case("latex fixed", LATEX, (0.12,), ends=("decay",), bending="fixed-thickness"),
+    Case("latex fvk", LATEX, (0.12,), ends=("decay",), bending="fvk"),
+    Case("10:1 fvk", TEN_TO_ONE, (), ends=("decay",), bending="fvk"),
+    Case("neo-Hookean", NEO_HOOKEAN, (0.1,), ends=("decay",)),
+    Case("SVK fixed", SVK, (0.06,), ends=("decay",), bending="fixed-thickness"),
+    Case("latex L/W 2.5", LATEX, (0.1,), aspect=2.5),
+    Case("latex t/W 5e-4", LATEX, (0.1,), thickness=5.0e-4),
+)
+
+
+def _measured(state: State) -> dict[str, float]:
+    found, m = state.equilibrium, state.measures
+    if m is None or found.planar.modes is None:
+        raise ArithmeticError(f"strain {state.strain:g}: {state.status} {found.reason}")
+    modes = found.planar.modes
+    return {
+        "A/t": m.amplitude / found.thickness,
+        "Phi^2": m.phi_squared,
+        "lambda/W": m.wavelength,
+        "W_act/W": m.arc_width,
+        "W_proj/W": m.projected_width,
+        "stress/mu": found.nominal_stress,
+        "energy": found.energy,
+        "saved": found.flat_energy - found.energy,
+        "tau_1": modes.critical_thickness,
+    }
+
+
+def numbers(cells: tuple[int, int]) -> dict[str, float]:
+    """Return all numbers that come from a mesh, by name."""
+    found: dict[str, float] = {}
+    for case in CASES:
+        sheet = Sheet(
+            case.aspect,
+            case.thickness,
+            case.material,
+            case.bending,
+            case.parity,
+            MeshSettings(*cells),
+        )
+        for strain in case.strains:
+            values = _measured(sheet.solve(strain))
+            for measure in case.measures:
+                found[f"{case.label}: {measure} at {strain:g}"] = values[measure]
+        if case.ends:
+            ends = sheet.stability()
+            by_name = {"birth": ends.birth_strain, "decay": ends.decay_strain}
+            for end in case.ends:
+                value = by_name[end]
+                found[f"{case.label}: {end}"] = float("nan") if value is None else value
+    return found
+
+
+def constants() -> dict[str, float]:
+    """Return numbers that no mesh enters: constants fitted to Treloar's rubber, in Pa."""
+    uniaxial = fit(TRELOAR, "mooney-rivlin", stretch=(1.0, 1.65), modes=["uniaxial"])
+    every = fit(TRELOAR, "mooney-rivlin", stretch=(1.0, 1.65))
+    return {
+        f"Treloar, {label}: {name}": value
+        for label, result in (("uniaxial", uniaxial), ("all modes", every))
+        for name, value in result.constants.items()
+    }
+
+
+def golden() -> dict[str, Golden]:
+    """Return the numbers of the default mesh with their tolerances."""
+    default, finer = numbers(DEFAULT), numbers(FINER)
+    found = {}
+    for name, value in default.items():
+        least = max(_LEAST[DISCRETISATION] * abs(value), _STRAIN * name.endswith(_ENDS))
+        change = abs(finer[name] - value)
+        basis = DISCRETISATION if change > least else SEARCH
+        found[name] = Golden(value, max(change, least), basis)
+    for name, value in constants().items():
+        found[name] = Golden(value, _LEAST[ROUNDING] * abs(value), ROUNDING)
+    return found
+
+
+def write(numbers_found: dict[str, Golden], output: Path) -> None:
+    """Write golden numbers as a new CSV file.
+
+    Raises
+    ------
+    FileExistsError
+        If the file is there: old numbers are not replaced by accident.
+    """
+    if output.exists():
+        raise FileExistsError(f"{output}: exists; remove it first to replace the golden numbers")
+    with atomic_path(output) as path, path.open("w", encoding="utf-8", newline="") as file:
+        file.write(
+            f"# Numbers of the {DEFAULT[0]} x {DEFAULT[1]} mesh; tolerance: difference to "
+            f"{FINER[0]} x {FINER[1]} cells.\n# Lengths in W, energies of the quarter in mu W^3, "
+            "fitted constants in Pa.\n"
+            f"# Made by: python -m verification.golden {output.as_posix()}\n"
+        )
+        rows = csv.writer(file, lineterminator="\n")
+        rows.writerow(COLUMNS)
+        for name, one in numbers_found.items():
+            rows.writerow([name, f"{one.value:.12g}", f"{one.tolerance:.3g}", one.basis])
+
+
+def read(path: Path) -> dict[str, Golden]:
+    """Return the golden numbers of a file.
+
+    Raises
+    ------
+    ValueError
+        If a line is not name, value, tolerance and basis.
+    """
+    lines = path.read_text(encoding="utf-8").splitlines()
+    rows = list(csv.reader(line for line in lines if not line.startswith("#")))
+    if not rows or tuple(rows[0]) != COLUMNS:
+        raise ValueError(f"{path}: the first line must be {','.join(COLUMNS)}")
+    found = {}
+    for row in rows[1:]:
+        try:
+            name, value, tolerance, basis = row
+            found[name] = Golden(float(value), float(tolerance), basis)
+        except ValueError:
+            raise ValueError(f"{path}: {','.join(row)!r} is not {','.join(COLUMNS)}") from None
+    return found
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit("usage: python -m verification.golden FILE")
+    target = Path(sys.argv[1])
+    try:
+        write(golden(), target)
+    except FileExistsError as error:
+        sys.exit(str(error))
