@@ -15,6 +15,7 @@ ROOT = Path(wrinklestudy.__file__).parent
 ROOMS = [
     "typing",
     "vocabulary",
+    "files",
     "mechanics",
     "fem",
     "equilibrium",

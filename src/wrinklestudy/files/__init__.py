@@ -1,0 +1,1 @@
+"""Files, whatever they hold: whole or absent, and tables of numbers that people bring."""
