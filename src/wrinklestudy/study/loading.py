@@ -95,6 +95,7 @@ def _place(study: str) -> _Place:
         file = SOURCE.joinpath(*_STUDIES.split("."), study, "__init__.py")
         return _Place(f"{_STUDIES}.{study}", file, SOURCE)
     path = Path(study).resolve()
+    path = path.parent if path.name == "__init__.py" else path
     file = path / "__init__.py" if path.is_dir() else path
     if not (file.is_file() and file.suffix == ".py"):
         raise CatalogueError(
