@@ -5,6 +5,7 @@ import sys
 
 import pytest
 
+from wrinklestudy.stages.figures import run as draw_figure
 from wrinklestudy.study.claims.discovery import load_claims
 from wrinklestudy.study.digest import SOURCE, code_digest
 from wrinklestudy.study.loading import (
@@ -112,6 +113,15 @@ def test_the_digest_follows_the_files_of_the_user(toy):
     path = toy / "claims" / "a.py"  # imported by b
     path.write_text(path.read_text().replace("agree", "disagree"))
     assert (digests()[0] == after[0], digests()[1] == after[1]) == (True, False)
+
+
+def test_a_module_without_draw_is_told_before_anything_is_written(toy):
+    (toy / "dot.py").write_text("def drawn(inputs): ...\n")
+    with pytest.raises(
+        ValueError, match=r"figure 'dot': module toy.dot must define draw\(inputs\)"
+    ):
+        draw_figure("toy", "dot", output="dot.pdf")
+    assert not (toy.parent / "dot.pdf").exists()
 
 
 @pytest.mark.parametrize(

@@ -68,8 +68,8 @@ def wrinkles_when_long(study: StudyTables) -> Finding:
     order=(3, 4, 3),
     place="Abstract, Sec. III.D, Fig. 6a",
     statement="L/W has a lower and an upper limit, outside of which sheets do not wrinkle.",
-    reading="At this thickness sheets wrinkle only over a finite range of L/W, an island that "
-    "ends within the paper's own range of lengths.",
+    reading="At this thickness the lengths at which sheets wrinkle form an island, and it ends "
+    "within the paper's own range of L/W.",
     tolerance=f"flat sheets on both sides of those that wrinkle, from L/W = {CUTOFF_RANGE[0]:g} to "
     f"{CUTOFF_RANGE[1]:g}",
 )
