@@ -60,6 +60,12 @@ def test_imports_point_down():
     assert not wrong
 
 
+def test_a_study_is_loaded_by_its_name_and_imported_by_none():
+    for room, path in modules():
+        names = [] if room == "studies" else [module for module, _ in imported(path)]
+        assert not [name for name in names if name.startswith("wrinklestudy.studies")], path
+
+
 def test_the_library_never_imports_snakemake():
     for _, path in modules():
         assert not [m for m, _ in imported(path) if m.split(".")[0] == "snakemake"], path

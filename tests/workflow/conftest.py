@@ -1,6 +1,7 @@
 """The quick study, run once for real in a copy of the project; tests take copies of that."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -69,10 +70,8 @@ class Study:
         path.write_text(text.replace(old, new))
 
 
-@pytest.fixture(scope="session")
-def finished_quick(tmp_path_factory):
-    """The finished quick study; not to be changed."""
-    folder = tmp_path_factory.mktemp("quick")
+def copy_of_the_project(folder: Path) -> Study:
+    """Return a copy of the project as it is, in a folder that is there."""
     for name in PARTS:
         source = ROOT / name
         if source.is_dir():
@@ -80,13 +79,45 @@ def finished_quick(tmp_path_factory):
             shutil.copytree(source, folder / name, ignore=ignored)
         else:
             shutil.copy2(source, folder / name)
-    study = Study(folder)
+    return Study(folder)
+
+
+@pytest.fixture(scope="session")
+def finished_quick(tmp_path_factory):
+    """The finished quick study; not to be changed."""
+    study = copy_of_the_project(tmp_path_factory.mktemp("quick"))
     run = study.snakemake()
     assert run.returncode == 0, run.stdout + run.stderr
     return study
+
+
+@pytest.fixture(scope="session")
+def finished_recipe(tmp_path_factory):
+    """The finished study of docs/recipes/study.md; not to be changed."""
+    study = copy_of_the_project(tmp_path_factory.mktemp("recipe"))
+    for name, text in recipe_files().items():
+        path = study.folder / name
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(text)
+    run = study.snakemake(config="my.yaml")
+    assert run.returncode == 0, run.stdout + run.stderr
+    return study
+
+
+def recipe_files() -> dict[str, str]:
+    """Return the files that the recipe for a study shows, by name."""
+    text = (ROOT / "docs" / "recipes" / "study.md").read_text()
+    blocks = re.findall(r"```(?:python|yaml)\n# (\S+)\n(.*?)```", text, flags=re.DOTALL)
+    return dict(blocks)
 
 
 @pytest.fixture
 def study(finished_quick, tmp_path):
     """A copy of the finished quick study, to be changed."""
     return finished_quick.copied_to(tmp_path / "study")
+
+
+@pytest.fixture
+def recipe(finished_recipe, tmp_path):
+    """A copy of the finished study of the recipe, to be changed."""
+    return finished_recipe.copied_to(tmp_path / "study")

@@ -5,12 +5,12 @@ import json
 
 import pytest
 
-from wrinklestudy.studies.panaitescu2019.figures import FIGURES
+from wrinklestudy.study.loading import load_catalogue
 
 pytestmark = pytest.mark.workflow
 
 
-@pytest.mark.parametrize("name", FIGURES)
+@pytest.mark.parametrize("name", load_catalogue("panaitescu2019").figure_names)
 def test_each_figure_is_there_in_both_formats(finished_quick, name):
     figures = finished_quick.folder / "figures" / "quick"
     pdf, png = ((figures / f"{name}{suffix}").read_bytes() for suffix in (".pdf", ".png"))

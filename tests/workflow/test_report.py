@@ -8,11 +8,11 @@ import subprocess
 
 import pytest
 
-from wrinklestudy.studies.panaitescu2019.figures import FIGURES
-from wrinklestudy.study.config_figures import CONTENTS, TABLES
+from wrinklestudy.study.loading import load_catalogue
 
 pytestmark = pytest.mark.workflow
 
+CATALOGUE = load_catalogue("panaitescu2019")
 OPTIONS = [
     "--headless",
     "--no-sandbox",
@@ -88,12 +88,12 @@ def seen(report, tmp_path_factory):
     return json.loads(html.unescape(found[1]))
 
 
-@pytest.mark.parametrize("name", FIGURES)
+@pytest.mark.parametrize("name", CATALOGUE.figure_names)
 def test_a_browser_shows_every_figure_with_its_caption(seen, name):
     shown = seen[f"figures/quick/{name}.png"]
     assert shown["width"] > 500
     text = shown["text"]
-    assert f"Figure {CONTENTS[name].panel}. " in text
+    assert f"Figure {CATALOGUE.figure(name).panel}. " in text
     if name != "fig01_stress":
         assert "Shown: latex, L/W = 2, t/W = 0.001: strain 0.1" in text
         assert "12 x 18 cells on the quarter sheet" in text
@@ -109,8 +109,8 @@ def test_figures_stand_once_and_in_their_part(report):
     parts = embedded(report, "categories")
     placed = {path: part for part, found in parts.items() for one in found.values() for path in one}
     figures = {path: part for path, part in placed.items() if path.startswith("figures/")}
-    assert figures == {f"figures/quick/{name}.png": CONTENTS[name].part for name in FIGURES}
-    assert [placed[path] for path in placed if path not in figures] == [TABLES] * 4
+    assert figures == {f"figures/quick/{entry.name}.png": entry.part for entry in CATALOGUE.figures}
+    assert [placed[path] for path in placed if path not in figures] == [CATALOGUE.tables_part] * 4
 
 
 def test_run_times_of_every_stage_are_there(report, finished_quick):

@@ -5,7 +5,6 @@ from collections import Counter
 import pytest
 import yaml
 
-from wrinklestudy.studies.panaitescu2019.figures import FIGURES
 from wrinklestudy.study.config import parse_config
 
 pytestmark = pytest.mark.workflow
@@ -63,7 +62,7 @@ def test_the_full_study_has_nothing_of_the_quick_one(finished_quick):
         "metrics": len(study.all_sheets),
         "summary": 1,
         "claims": 1,
-        "figures": len(FIGURES),
+        "figures": len(study.catalogue.figures),
         "gate": 1,
     }
     assert not any("quick" in output for job in jobs for output in job.outputs)
@@ -192,7 +191,7 @@ def test_an_edit_of_one_figure_redraws_that_figure(study):
 
 
 def test_an_edit_of_the_claims_judges_again_and_draws_nothing(study):
-    path = study.folder / "src/wrinklestudy/studies/panaitescu2019/claims/registry.py"
+    path = study.folder / "src/wrinklestudy/studies/panaitescu2019/claims/width.py"
     path.write_text(path.read_text() + "\n\nUNUSED = 1\n")
     assert rules(study.planned()) == {"claims": 1, "gate": 1}
 

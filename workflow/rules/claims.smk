@@ -8,28 +8,34 @@ rule claims:
         csv=report(
             PATHS.pattern("claims"),
             caption="../report/claims.rst",
-            category=config_figures.TABLES,
+            category=CATALOGUE.tables_part,
             labels={"figure": "", "shows": "claims (CSV)"},
         ),
         page=report(
             PATHS.pattern("claims_page"),
             caption="../report/claims.rst",
-            category=config_figures.TABLES,
+            category=CATALOGUE.tables_part,
             labels={"figure": "", "shows": "claims"},
         ),
-        table=report(
-            PATHS.pattern("claims_table"),
-            caption="../report/table1.rst",
-            category=config_figures.TABLES,
-            labels={"figure": "", "shows": "Table I with computed values (CSV)"},
-        ),
+        tables=[
+            report(
+                PATHS.of("claims_table", table=entry.name),
+                caption="../report/tables.rst",
+                category=CATALOGUE.tables_part,
+                labels={"figure": "", "shows": f"{entry.title} (CSV)"},
+            )
+            for entry in CATALOGUE.tables
+        ],
     log:
         PATHS.log("claims"),
     threads: 1
     resources:
         mem_mb=500,
     params:
+        study=STUDY.study,
+        # for the caption
+        captions=[entry.caption for entry in CATALOGUE.tables],
         sheet=list(astuple(STUDY.figure_sheet)),
-        code=code("claims"),
+        code=code_of_claims(),
     script:
         "../scripts/claims.py"

@@ -7,7 +7,7 @@ import sys
 from dataclasses import astuple
 from pathlib import Path
 
-from wrinklestudy.study import config_figures
+from wrinklestudy.study import figure_contents
 from wrinklestudy.results.cases import (
     NAME_PATTERN,
     VALUE_PATTERN,
@@ -18,6 +18,7 @@ from wrinklestudy.results.cases import (
 from wrinklestudy.results.paths import Paths
 from wrinklestudy.study.config import ConfigError, parse_config
 from wrinklestudy.study.digest import code_digest
+from wrinklestudy.study.loading import claim_modules, sources
 
 # a file given with --configfile stands first: it goes over config.yaml
 CONFIG_FILES = " over ".join(os.path.relpath(file) for file in workflow.configfiles)
@@ -25,6 +26,10 @@ try:
     STUDY = parse_config(config, CONFIG_FILES)
 except ConfigError as error:
     sys.exit(str(error))
+
+CATALOGUE = STUDY.catalogue
+# for the first page of the report, which sees nothing but the config
+config["report"] = {"title": CATALOGUE.title, "citation": CATALOGUE.citation}
 
 PATHS = Paths(STUDY.folders.results, STUDY.folders.figures)
 
@@ -42,7 +47,17 @@ wildcard_constraints:
 @functools.cache
 def code(stage, *modules):
     """Digest of the code of a stage, and of modules that its script does not name."""
-    return code_digest(Path(workflow.basedir, "workflow", "scripts", f"{stage}.py"), modules)
+    script = Path(workflow.basedir, "workflow", "scripts", f"{stage}.py")
+    return code_digest(script, modules, sources(STUDY.study))
+
+
+def code_of_figure(name):
+    return code("figures", CATALOGUE.figure(name).module)
+
+
+def code_of_claims():
+    tables = [entry.module for entry in CATALOGUE.tables]
+    return code("claims", *claim_modules(STUDY.study), *tables)
 
 
 def value(wildcard):
@@ -91,21 +106,22 @@ def wrinkle_of_sheet(wildcards):
 
 def inputs_of_figure(wildcards):
     """Only what a figure shows: materials, tables of some sheets, states, measurements."""
-    figure = wildcards.figure
-    materials = config_figures.materials_shown(STUDY, figure)
-    sheets = config_figures.sheets_shown(STUDY, figure)
+    figure = CATALOGUE.figure(wildcards.figure)
+    materials = figure_contents.materials_shown(STUDY, figure)
+    sheets = figure_contents.sheets_shown(STUDY, figure)
     return {
         "materials": [PATHS.of("material", material=name) for name in materials],
         "data": sorted({STUDY.materials[name].data for name in materials}),
         "metrics": [PATHS.of_sheet("metrics", sheet) for sheet in sheets],
         "stability": [PATHS.of_sheet("stability", sheet) for sheet in sheets],
-        "states": [PATHS.wrinkle(case) for case in config_figures.states_shown(STUDY, figure)],
-        "experiment": config_figures.measured(STUDY, figure),
+        "states": [PATHS.wrinkle(case) for case in figure_contents.states_shown(STUDY, figure)],
+        "experiment": figure_contents.measured(STUDY, figure),
     }
 
 
 def all_figures():
-    return expand([PATHS.figure(".pdf"), PATHS.figure(".png")], figure=sorted(STUDY.figures.names))
+    names = sorted(figure.name for figure in STUDY.figures_to_make)
+    return expand([PATHS.figure(".pdf"), PATHS.figure(".png")], figure=names)
 
 
 def all_sheets(output):
@@ -114,12 +130,16 @@ def all_sheets(output):
 
 def of_figure(content):
     """A part of what the report says of the figure in the wildcard, as a function."""
-    return lambda wildcards: content(STUDY, wildcards.figure)
+    return lambda wildcards: content(STUDY, CATALOGUE.figure(wildcards.figure))
+
+
+def extra_tables():
+    return [PATHS.of("claims_table", table=entry.name) for entry in CATALOGUE.tables]
 
 
 def final_files():
     """What a study is run for but the gate; everything else is made on the way."""
-    return [*all_figures(), *map(PATHS.pattern, ("claims", "claims_page", "claims_table"))]
+    return [*all_figures(), *map(PATHS.pattern, ("claims", "claims_page")), *extra_tables()]
 
 
 def files_on_the_way():
@@ -133,14 +153,13 @@ def files_on_the_way():
 
 def study_digest():
     """Digest of all that the results follow from: config, code, measured data."""
-    stages = ("material", "mesh", "planar", "stability", "wrinkle", "metrics", "summary", "claims")
-    codes = [code(stage) for stage in (*stages, "gate")]
-    codes += [
-        code("figures", f"wrinklestudy.studies.panaitescu2019.figures.{name}")
-        for name in STUDY.figures.names
-    ]
+    stages = ("material", "mesh", "planar", "stability", "wrinkle", "metrics", "summary", "gate")
+    codes = [*map(code, stages), code_of_claims()]
+    codes += [code_of_figure(figure.name) for figure in STUDY.figures_to_make]
     files = {material.data for material in STUDY.materials.values()}
-    files |= {path for name in STUDY.figures.names for path in config_figures.measured(STUDY, name)}
+    files |= {
+        path for figure in STUDY.figures_to_make for path in figure_contents.measured(STUDY, figure)
+    }
     digest = hashlib.sha256("\0".join([STUDY.model_dump_json(), *codes]).encode())
     for path in sorted(path for path in files if Path(path).exists()):
         digest.update(path.encode() + b"\0" + Path(path).read_bytes())

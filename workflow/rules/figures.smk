@@ -7,8 +7,8 @@ rule figures:
         report(
             PATHS.figure(".png"),
             caption="../report/figures.rst",
-            category=lambda wildcards: config_figures.CONTENTS[wildcards.figure].part,
-            labels=lambda wildcards: config_figures.labels(wildcards.figure),
+            category=lambda wildcards: CATALOGUE.figure(wildcards.figure).part,
+            labels=lambda wildcards: figure_contents.labels(CATALOGUE.figure(wildcards.figure)),
         ),
     log:
         PATHS.log("figures"),
@@ -16,11 +16,11 @@ rule figures:
     resources:
         mem_mb=1000,
     params:
+        study=STUDY.study,
         # for the caption
-        cases=of_figure(config_figures.cases_text),
-        mesh=of_figure(config_figures.mesh_text),
-        code=lambda wildcards: code(
-            "figures", f"wrinklestudy.studies.panaitescu2019.figures.{wildcards.figure}"
-        ),
+        caption=of_figure(figure_contents.caption_text),
+        cases=of_figure(figure_contents.cases_text),
+        mesh=of_figure(figure_contents.mesh_text),
+        code=lambda wildcards: code_of_figure(wildcards.figure),
     script:
         "../scripts/figures.py"

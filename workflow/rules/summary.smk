@@ -8,7 +8,7 @@ rule summary:
         peaks=report(
             PATHS.pattern("summary_peaks"),
             caption="../report/peaks.rst",
-            category=config_figures.TABLES,
+            category=CATALOGUE.tables_part,
             labels={"figure": "", "shows": "peak of each sheet (CSV)"},
         ),
     log:

@@ -1,4 +1,4 @@
-"""What the paper says against what is computed."""
+"""What is claimed against what is computed."""
 
 from typing import TYPE_CHECKING
 
@@ -11,6 +11,7 @@ with log_to(snakemake.log[0]):
     from wrinklestudy.stages import claims
 
     claims.run(
+        study=snakemake.params.study,
         states=snakemake.input.states,
         stability=snakemake.input.stability,
         peaks=snakemake.input.peaks,
@@ -18,5 +19,5 @@ with log_to(snakemake.log[0]):
         sheet=tuple(snakemake.params.sheet),
         output=snakemake.output.csv,
         page=snakemake.output.page,
-        table=snakemake.output.table,
+        tables=list(snakemake.output.tables),
     )

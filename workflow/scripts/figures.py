@@ -1,4 +1,4 @@
-"""One figure of the paper, in each of its formats."""
+"""One figure of the study, in each of its formats."""
 
 from typing import TYPE_CHECKING
 
@@ -11,6 +11,7 @@ with log_to(snakemake.log[0]):
     from wrinklestudy.stages import figures
 
     figures.run(
+        study=snakemake.params.study,
         name=snakemake.wildcards.figure,
         metrics=list(snakemake.input.metrics),
         stability=list(snakemake.input.stability),

@@ -22,7 +22,7 @@ _OUTPUTS = {
     "figures": ("figures/{figure}", ""),
     "claims": ("claims/claims", ".csv"),
     "claims_page": ("claims/claims", ".html"),
-    "claims_table": ("claims/table1", ".csv"),
+    "claims_table": ("claims/{table}", ".csv"),
     "gate": ("gate/gate", ".json"),
 }
 

@@ -1,4 +1,4 @@
-"""The claims stage: every statement of a study with a verdict."""
+"""The claims stage: every claim of a study with a verdict."""
 
 from collections.abc import Sequence
 
@@ -6,6 +6,7 @@ from wrinklestudy.typing import AnyPath
 
 
 def run(
+    study: str,
     states: AnyPath,
     stability: AnyPath,
     peaks: AnyPath,
@@ -13,43 +14,50 @@ def run(
     sheet: tuple[str, float, float],
     output: AnyPath,
     page: AnyPath,
-    table: AnyPath,
+    tables: Sequence[AnyPath] = (),
 ) -> None:
-    """Judge all claims and write the table of claims, a page to read and the paper's Table I.
+    """Judge all claims and write the table of claims, a page to read and the further tables.
 
     A claim for which the study lacks a case is written with the verdict ``not computed`` and what
     is missing. The same inputs give the same bytes.
 
     Parameters
     ----------
+    study : str
+        Name of the study as in the config: `study.loading.load_catalogue`.
     states, stability, peaks : path-like
         Tables of the summary stage.
     materials : sequence of path-like
         Files of the material stage.
     sheet : tuple of (str, float, float)
-        Model, L/W and t/W of the sheet that the paper's text is about.
+        Model, L/W and t/W of the sheet that the claims are about.
     output : path-like
         CSV file of the claims, columns `write.CLAIM_COLUMNS`.
     page : path-like
         HTML page, complete in itself.
-    table : path-like
-        CSV file of Table I, columns `table1.COLUMNS`.
+    tables : sequence of path-like
+        CSV files of the further tables of the catalogue, in its order.
 
     Raises
     ------
     ValueError
-        If an input lacks a column or a key, or a cell is no number; one line that names the file.
+        If the study cannot be loaded, an input lacks a column or a key, or a cell is no number;
+        one line that names study or file.
     """
-    from wrinklestudy.studies.panaitescu2019 import table1
-    from wrinklestudy.studies.panaitescu2019.claims.registry import CLAIMS
+    from importlib import import_module
+
     from wrinklestudy.study.claims import write
+    from wrinklestudy.study.claims.discovery import load_claims
     from wrinklestudy.study.claims.page import html_page
     from wrinklestudy.study.claims.tables import load
+    from wrinklestudy.study.loading import load_catalogue
 
-    study = load(states, stability, peaks, materials, sheet)
-    found = [(claim, claim.found(study)) for claim in CLAIMS]
-    lines = table1.rows(study)
-    text = html_page(study, found, lines)
-    write.claims(output, found)
-    write.table1(table, lines)
+    catalogue = load_catalogue(study)
+    computed = load(states, stability, peaks, materials, sheet)
+    judged = [(claim, claim.found(computed)) for claim in load_claims(study)]
+    extra = [import_module(entry.module).table(computed) for entry in catalogue.tables]
+    text = html_page(catalogue, computed, judged, extra)
+    write.claims(output, judged)
+    for path, table in zip(tables, extra, strict=True):
+        write.extra_table(path, table)
     write.text(page, text)

@@ -5,13 +5,14 @@ from importlib import import_module
 from os import PathLike
 from pathlib import Path
 
-from wrinklestudy.studies.panaitescu2019.figures import _known
+from wrinklestudy.study.loading import load_catalogue
 from wrinklestudy.typing import AnyPath
 
 SUFFIXES = (".pdf", ".png", ".svg")
 
 
 def run(
+    study: str,
     name: str,
     *,
     output: AnyPath | Sequence[AnyPath],
@@ -29,8 +30,10 @@ def run(
 
     Parameters
     ----------
+    study : str
+        Name of the study as in the config: `study.loading.load_catalogue`.
     name : str
-        One of `FIGURES`.
+        One of the figures of its catalogue.
     output : path-like or sequence of path-like
         Files to write; the suffix (.pdf, .png, .svg) is the format.
     metrics : sequence of path-like
@@ -40,18 +43,20 @@ def run(
     materials : sequence of path-like
         Files of the material stage.
     states : sequence of path-like
-        Files of the wrinkle stage, those of `state_strains`.
+        Files of the wrinkle stage, those of `FigureEntry.strains_shown`.
     data : sequence of path-like
         Stress-strain files that the materials were fitted to.
     experiment : sequence of path-like
-        Files of measured data (`wrinklestudy.study.measurements`); those of `MEASURED` are shown.
+        Files of measured data (`wrinklestudy.study.measurements`); of the kinds that its entry
+        names.
 
     Raises
     ------
     ValueError
-        If the figure or a format is unknown, or an input lacks what the figure shows.
+        If the study, the figure or a format is unknown, the module of the figure has no ``draw``,
+        or an input lacks what the figure shows.
     """
-    _known(name)
+    module = load_catalogue(study).figure(name).module
     paths = _paths(output)
     for path in paths:
         if path.suffix not in SUFFIXES:
@@ -70,7 +75,10 @@ def run(
         experiment=_paths(experiment),
     )
     with style.applied():
-        figure = import_module(f"wrinklestudy.studies.panaitescu2019.figures.{name}").draw(inputs)
+        draw = getattr(import_module(module), "draw", None)
+        if draw is None:
+            raise ValueError(f"figure {name!r}: module {module} must define draw(inputs)")
+        figure = draw(inputs)
         for path in paths:
             style.save(figure, path)
 

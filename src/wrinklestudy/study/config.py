@@ -11,6 +11,7 @@ from pydantic import Field, ValidationError
 
 from wrinklestudy.results import cases
 from wrinklestudy.results.cases import Case, StudySheet
+from wrinklestudy.study.catalogue import Catalogue, FigureEntry
 from wrinklestudy.study.config_blocks import (
     Block,
     FiguresBlock,
@@ -26,7 +27,8 @@ from wrinklestudy.study.config_blocks import (
     VariantBlock,
 )
 from wrinklestudy.study.config_errors import closest, line
-from wrinklestudy.study.config_values import Filled, Name, requirement
+from wrinklestudy.study.config_values import Filled, Name, Text, requirement
+from wrinklestudy.study.loading import CatalogueError, load_catalogue
 
 MAX_STRAINS = 1000
 
@@ -46,6 +48,10 @@ class ConfigError(ValueError):
 class StudyConfig(Block):
     """A whole study."""
 
+    study: Text = Field(
+        default="panaitescu2019",
+        description="figures and claims: a study of this package, or a folder or .py file",
+    )
     folders: FoldersBlock = Field(default_factory=FoldersBlock, description="where files are")
     materials: Annotated[
         dict[Name, MaterialBlock],
@@ -64,6 +70,17 @@ class StudyConfig(Block):
         default_factory=GateBlock, description="when the study counts as failed"
     )
     figures: FiguresBlock = Field(description="which figures are made")
+
+    @cached_property
+    def catalogue(self) -> Catalogue:
+        """The catalogue of the study that the config names."""
+        return load_catalogue(self.study)
+
+    @property
+    def figures_to_make(self) -> tuple[FigureEntry, ...]:
+        """The figures that the config names, all of the catalogue if it names none."""
+        names = self.figures.names or self.catalogue.figure_names
+        return tuple(self.catalogue.figure(name) for name in names)
 
     def base(self, model: str) -> str:
         """Return the material of a model, which is a material or a variant of one."""
@@ -152,6 +169,7 @@ def parse_config(raw: Any, source: str) -> StudyConfig:
 
 def _contradictions(study: StudyConfig) -> Iterator[str]:
     """Yield the problems between keys that are right by themselves."""
+    yield from _wrong_study(study)
     yield from _wrong_variants(study)
     known = [*study.materials, *study.variants]
     for i, series in enumerate(study.sheets):
@@ -164,6 +182,18 @@ def _contradictions(study: StudyConfig) -> Iterator[str]:
         elif isinstance(span, StrainRange) and span.stop - span.start > MAX_STRAINS * span.step:
             yield f"{key}.strain.step = {span.step:g}: must leave at most {MAX_STRAINS} strains"
     yield from _missing_figure_sheets(study)
+
+
+def _wrong_study(study: StudyConfig) -> Iterator[str]:
+    try:
+        known = study.catalogue.figure_names
+    except CatalogueError as error:
+        yield str(error)
+        return
+    for i, name in enumerate(study.figures.names or ()):
+        if name not in known:
+            hint = closest(name, known)
+            yield f"figures.names[{i}] = {name!r}: is no figure of {study.study}{hint}"
 
 
 def _wrong_variants(study: StudyConfig) -> Iterator[str]:

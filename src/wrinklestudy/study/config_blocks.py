@@ -6,10 +6,8 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
 
 from wrinklestudy.results import cases
-from wrinklestudy.studies.panaitescu2019.figures import FIGURES
 from wrinklestudy.study.config_values import (
     Aspect,
-    Figure,
     Filled,
     Name,
     Strain,
@@ -144,13 +142,15 @@ class FigureSheetBlock(Block):
 class FiguresBlock(Block):
     """Which figures are made."""
 
-    names: Filled[Figure] = Field(default=tuple(FIGURES), description="figures to make")
+    names: Filled[Name] | None = Field(
+        default=None, description="figures to make; all of the study if left out"
+    )
     sheet: FigureSheetBlock = Field(description="the sheet that the figures of a single sheet show")
     compare: Annotated[
         tuple[Name, ...], requirement("must be a list", lambda v: isinstance(v, list | tuple))
     ] = Field(
         default=(),
-        description="materials or variants that figure 5 compares; that of the sheet if left out",
+        description="materials or variants that figures compare; that of the sheet if left out",
     )
 
 

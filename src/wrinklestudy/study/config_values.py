@@ -9,7 +9,6 @@ from pydantic import BeforeValidator
 from pydantic_core import PydanticCustomError
 
 from wrinklestudy.results.cases import NAME_PATTERN
-from wrinklestudy.studies.panaitescu2019.figures import FIGURES
 
 # YAML 1.1 takes 1e-3 for text (YAML 1.2, as everybody, for a number).
 _EXPONENT = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)[eE][-+]?\d+")
@@ -78,7 +77,4 @@ Name = Annotated[
 Window = Annotated[
     tuple[float, float],
     requirement("must be two stretches [low, high], 0 < low < high", _is_window),
-]
-Figure = Annotated[
-    str, requirement(f"must be one of {', '.join(FIGURES)}", lambda v: v in tuple(FIGURES))
 ]

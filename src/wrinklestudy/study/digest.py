@@ -53,7 +53,7 @@ def modules(
     todo = [*also, *_imports(Path(script), "", sources)]
     while todo:
         name = todo.pop()
-        path = _file(name, sources)
+        path = module_file(name, sources)
         if path is not None and name not in found:
             found[name] = path
             package = name if path.name == "__init__.py" else name.rpartition(".")[0]
@@ -61,7 +61,7 @@ def modules(
     return found
 
 
-def _file(name: str, sources: Sequence[Path]) -> Path | None:
+def module_file(name: str, sources: Sequence[Path]) -> Path | None:
     """Return the file of a module that lies in one of the folders; None for anything else."""
     for source in sources if name else ():
         stem = source.joinpath(*name.split("."))
@@ -81,7 +81,7 @@ def _imports(path: Path, package: str, sources: Sequence[Path]) -> Iterator[str]
             parents = package.split(".")[: len(package.split(".")) - level + 1]
             base = ".".join([*parents, *filter(None, [base])])
         inner = f"{base}.{name}"
-        yield inner if name and _file(inner, sources) else base
+        yield inner if name and module_file(inner, sources) else base
 
 
 def _read(path: Path) -> tuple[str, tuple[tuple[str, int, str], ...]]:

@@ -17,13 +17,14 @@ from wrinklestudy.results.peaks import PEAK_COLUMNS
 from wrinklestudy.results.table import COLUMNS, STABILITY_COLUMNS
 from wrinklestudy.stages.claims import run
 from wrinklestudy.studies.panaitescu2019 import theory
-from wrinklestudy.studies.panaitescu2019.claims.registry import CLAIMS
 from wrinklestudy.studies.panaitescu2019.table1 import COLUMNS as TABLE1_COLUMNS
+from wrinklestudy.study.claims.discovery import load_claims
 from wrinklestudy.study.claims.finding import VERDICTS
 from wrinklestudy.study.claims.write import CLAIM_COLUMNS
 
 BIRTH, DECAY = 0.0246750242, 0.3983437946
 VOID = {"meta", "br"}
+CLAIMS = load_claims("panaitescu2019")
 
 
 def case(name):
@@ -75,6 +76,7 @@ def write_study(folder, name="latex"):
     )
     write_json(folder / "material.json", {"name": name, **fit.as_dict(), "source_note": note})
     return {
+        "study": "panaitescu2019",
         "states": write_csv(folder / "states.csv", COLUMNS, [state(name, eps) for eps in strains]),
         "stability": write_csv(folder / "stability.csv", STABILITY_COLUMNS, [limits]),
         "peaks": write_csv(folder / "peaks.csv", PEAK_COLUMNS, [peak]),
@@ -82,7 +84,7 @@ def write_study(folder, name="latex"):
         "sheet": (name, 2.0, 1e-3),
         "output": folder / "out" / "claims.csv",
         "page": folder / "out" / "claims.html",
-        "table": folder / "out" / "table1.csv",
+        "tables": [folder / "out" / "table1.csv"],
     }
 
 
@@ -159,7 +161,7 @@ def test_the_page_lists_every_claim_once_and_counts_the_verdicts(study):
     for verdict in VERDICTS:
         assert f"{number[verdict]} {verdict}" in page.text
     for claim in CLAIMS:
-        assert claim.quotation in page.text
+        assert claim.statement in page.text
         assert claim.tolerance in page.text
 
 
@@ -181,7 +183,7 @@ def test_text_is_escaped(tmp_path):
 
 def test_table_1_has_the_formulas_and_leaves_a_cell_empty_where_there_is_no_number(study):
     run(**study)
-    rows = rows_of(study["table"])
+    rows = rows_of(study["tables"][0])
     assert list(rows[0]) == list(TABLE1_COLUMNS)
     arc = next(row for row in rows if row["quantity"] == "W_act")
     strain = float(arc["strain"])
@@ -196,17 +198,18 @@ def test_table_1_has_the_formulas_and_leaves_a_cell_empty_where_there_is_no_numb
 def test_a_study_without_the_sheet_still_has_all_three_files(study):
     run(**study | {"sheet": ("latex", 7.0, 1e-3)})
     assert {row["verdict"] for row in rows_of(study["output"])} == {"not computed"}
-    assert rows_of(study["table"]) == []
+    assert rows_of(study["tables"][0]) == []
     assert "lacks wrinkled states" in parsed(study["page"]).text
 
 
 def test_the_same_tables_give_the_same_bytes(study):
     run(**study)
-    first = [study[name].read_bytes() for name in ("output", "page", "table")]
+    files = [study["output"], study["page"], *study["tables"]]
+    first = [path.read_bytes() for path in files]
     rows = rows_of(study["states"])
     write_csv(study["states"], COLUMNS, rows[::-1])
     run(**study)
-    assert [study[name].read_bytes() for name in ("output", "page", "table")] == first
+    assert [path.read_bytes() for path in files] == first
 
 
 @pytest.mark.parametrize(
@@ -232,8 +235,8 @@ def test_a_file_that_is_no_material_gets_one_line(study):
 
 def test_the_job_loads_no_plotting_and_no_table_library():
     code = (
-        "import sys, wrinklestudy.studies.panaitescu2019.claims.registry;"
-        "import wrinklestudy.study.claims.page;"
+        "import sys; from wrinklestudy.study.claims.discovery import load_claims;"
+        "import wrinklestudy.study.claims.page; assert load_claims('panaitescu2019');"
         "print([m for m in ('pandas', 'matplotlib', 'pydantic', 'skfem') if m in sys.modules])"
     )
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -72,5 +72,19 @@ def test_table_1_has_both_widths_and_the_largest_deviations():
     assert table1.rows(world(base=None)) == []
 
 
+def test_table_1_on_the_page_has_the_numbers_of_the_file():
+    table = table1.table(world())
+    assert len(table.cells) == len(table.rows) > 0
+    assert {len(row) for row in table.cells} == {len(table.head)}
+    for row, cells in zip(table.rows, table.cells, strict=True):
+        values = dict(zip(table.columns, row, strict=True))
+        assert cells[0] == values["quantity"]
+        assert float(cells[2]) == pytest.approx(values["computed"], abs=5e-6)
+        assert float(cells[7]) == pytest.approx(values["deviation_from_original"], abs=5e-6)
+    empty = table1.table(world(base=None))
+    assert (empty.columns, empty.rows, empty.head) == (table.columns, (), ())
+    assert "lacks wrinkled states" in empty.note
+
+
 def test_both_averages_of_phi_are_used():
     assert set(confinement.AVERAGES.values()) == {"phi_squared", "phi_squared_central"}

@@ -12,9 +12,8 @@ from hypothesis import strategies as st
 from wrinklestudy.equilibrium import planar, wrinkled
 from wrinklestudy.fem.grid import MeshSettings
 from wrinklestudy.results.cases import StudySheet
-from wrinklestudy.studies.panaitescu2019.figures import FIGURES
 from wrinklestudy.study.config import ConfigError, parse_config
-from wrinklestudy.study.config_figures import sheets_shown
+from wrinklestudy.study.selections import same_aspect, same_thickness
 
 ROOT = Path(__file__).parents[3]
 RAW = yaml.safe_load((ROOT / "config.yaml").read_text())
@@ -229,13 +228,39 @@ def test_the_default_study_has_the_sheets_of_the_paper():
     assert study.figure_sheet == StudySheet("latex", 2.0, 1e-3)
     paper = [k / 50 for k in range(1, 26)]
     assert set(paper) <= {case.strain for case in study.cases_of(study.figure_sheet)}
-    aspects = {sheet.aspect for sheet in sheets_shown(study, "fig06_aspect")}
+    aspects = {sheet.aspect for sheet in same_thickness(study)}
     assert aspects >= {1.5, 1.8, 2.0, 2.5, 3.0, 3.5}
-    thicknesses = {sheet.thickness for sheet in sheets_shown(study, "fig06_thickness")}
+    thicknesses = {sheet.thickness for sheet in same_aspect(study)}
     assert thicknesses >= {5e-4, 7e-4, 1e-3, 1.2e-3, 1.4e-3, 1.6e-3}
     laws = {study.materials[study.base(one.material)].law for one in study.compared_sheets}
     assert laws == {"mooney-rivlin", "neo-hookean", "svk"}
-    assert study.figures.names == tuple(FIGURES)
+    assert study.study == study.catalogue.name == "panaitescu2019"
+    assert study.figures_to_make == study.catalogue.figures
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "line"),
+    [
+        (("study",), "panaitescu", "study = 'panaitescu': must be one of panaitescu2019, or a "),
+        (("study",), 2019, "study = 2019: must be text"),
+        (("figures", "names"), [], "figures.names = []: must be a list with at least one entry"),
+        (
+            ("figures", "names"),
+            ["fig07_width", "fig07_with"],
+            "figures.names[1] = 'fig07_with': is no figure of panaitescu2019; did you mean "
+            "fig07_width? allowed: fig01_stress, ",
+        ),
+    ],
+)
+def test_study_and_figures_are_checked_against_the_catalogue(path, value, line):
+    with pytest.raises(ConfigError) as caught:
+        parse_config(changed(path, value), "c")
+    assert str(caught.value).startswith(f"c: {line}")
+
+
+def test_the_figures_that_are_named_are_made_in_the_order_given():
+    study = parse_config(changed(("figures", "names"), ["fig07_width", "fig01_stress"]), "c")
+    assert [figure.name for figure in study.figures_to_make] == ["fig07_width", "fig01_stress"]
 
 
 def test_a_variant_changes_what_it_names_and_nothing_else():

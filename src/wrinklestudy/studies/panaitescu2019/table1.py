@@ -1,10 +1,13 @@
 """Table I of the paper, widths in its version and in the original model, with computed values."""
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from wrinklestudy.studies.panaitescu2019 import theory
+from wrinklestudy.study.claims.extra_table import ExtraTable
 from wrinklestudy.study.claims.sheet import MissingError
 from wrinklestudy.study.claims.tables import StudyTables
 from wrinklestudy.typing import Array
@@ -73,6 +76,56 @@ COLUMNS = (
     "deviation_from_original",
     "note",
 )
+_HEAD = (
+    "width",
+    "ε",
+    "computed",
+    "flat state",
+    "current version",
+    "difference",
+    "original CM model",
+    "difference",
+    "",
+)
+
+
+def table(study: StudyTables) -> ExtraTable:
+    """Return the table as the claims stage writes and shows it."""
+    lines = rows(study)
+    values = tuple(tuple(getattr(line, name) for name in COLUMNS) for line in lines)
+    if not lines:
+        lack = "Not computed: the study lacks wrinkled states of the sheet of the text."
+        return ExtraTable(COLUMNS, values, note=lack)
+    return ExtraTable(COLUMNS, values, _HEAD, tuple(map(_cells, lines)), _note(lines))
+
+
+def _cells(row: Table1Row) -> tuple[str, ...]:
+    return (
+        row.quantity,
+        f"{row.strain:g}",
+        f"{row.computed:.5f}",
+        f"{row.planar:.5f}",
+        row.current if math.isnan(row.current_value) else f"{row.current_value:.5f}",
+        _signed(row.deviation_from_current),
+        f"{row.original_value:.5f}",
+        _signed(row.deviation_from_original),
+        row.note,
+    )
+
+
+def _note(lines: Sequence[Table1Row]) -> str:
+    """Return what stands in the columns without numbers of their own."""
+    formulas = "; ".join(
+        sorted({f"{line.quantity} = {line.current} ({line.original})" for line in lines})
+    )
+    return (
+        f"Widths over W on the mid-line, ν = 1/2. Current version (original model): {formulas}. "
+        f"{TENSION_FIELD.capitalize()} has no closed form here and is not solved by the study."
+    )
+
+
+def _signed(value: float) -> str:
+    return "" if math.isnan(value) else f"{value:+.5f}"
 
 
 def rows(study: StudyTables) -> list[Table1Row]:

@@ -10,7 +10,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from wrinklestudy.material.homogeneous import mooney_rivlin_basis, saint_venant_kirchhoff_basis
+from wrinklestudy.material.homogeneous import saint_venant_kirchhoff_basis
 from wrinklestudy.typing import Array
 
 # Young's modulus in Pa that the paper states (caption of Fig. 1) and normalises by. It is not the
@@ -36,54 +36,6 @@ def _tensile(strain: ArrayLike) -> Array:
     if not np.all(values > 0.0):
         raise ValueError("strain: must be > 0")
     return values
-
-
-def uniaxial_mooney_rivlin(strain: ArrayLike, c10: float, c01: float) -> Array:
-    """Return the nominal stress T = 2 (lambda - lambda^-2) (C10 + C01 / lambda), lambda = 1 + eps.
-
-    The law of the paper's section II (curve of Fig. 1), incompressible.
-
-    Parameters
-    ----------
-    strain : array_like
-        Strain eps > -1, any shape.
-    c10, c01 : float
-        Mooney-Rivlin constants; their unit is that of the result.
-
-    Returns
-    -------
-    ndarray
-        Same shape as `strain`.
-
-    Raises
-    ------
-    ValueError
-        If a strain is not above -1.
-    """
-    return mooney_rivlin_basis(_stretch(strain)) @ np.array([c10, c01])
-
-
-def uniaxial_neo_hookean(strain: ArrayLike, c10: float) -> Array:
-    """Return the nominal stress T = 2 C10 (lambda - lambda^-2), lambda = 1 + eps.
-
-    Parameters
-    ----------
-    strain : array_like
-        Strain eps > -1, any shape.
-    c10 : float
-        Neo-Hookean constant; its unit is that of the result.
-
-    Returns
-    -------
-    ndarray
-        Same shape as `strain`.
-
-    Raises
-    ------
-    ValueError
-        If a strain is not above -1.
-    """
-    return uniaxial_mooney_rivlin(strain, c10, 0.0)
 
 
 def uniaxial_svk(strain: ArrayLike, young: float = 1.0) -> Array:
@@ -116,9 +68,8 @@ def uniaxial_hookean(strain: ArrayLike, young: float = 1.0) -> Array:
 
     Hooke's law between true stress and strain, sigma = Y eps; the cross-section of an
     incompressible strip shrinks by 1 / (1 + eps), so that the force per undeformed area is
-    sigma / (1 + eps). The paper's section II speaks of "an ideal incompressible material" beside
-    SVK without writing its equation. This reading is taken because incompressibility must enter
-    for the words to mean anything: in T = Y eps it would not.
+    sigma / (1 + eps). The paper's section II names such a material beside SVK without an equation.
+    This one is taken because incompressibility must enter: in T = Y eps it would not.
 
     Parameters
     ----------
@@ -141,7 +92,7 @@ def uniaxial_hookean(strain: ArrayLike, young: float = 1.0) -> Array:
     return young * (stretch - 1.0) / stretch
 
 
-def initial_slope(c10: float, c01: float = 0.0) -> float:
+def initial_slope(c10: float, c01: float) -> float:
     """Return Young's modulus of a Mooney-Rivlin material, dT/deps at eps = 0: 6 (C10 + C01)."""
     return 6.0 * (c10 + c01)
 
@@ -202,59 +153,6 @@ def cm_confinement(strain: ArrayLike, poisson: float = 0.5) -> Array:
         Same shape as `strain`.
     """
     return poisson * np.asarray(strain, dtype=np.float64)
-
-
-def cm_amplitude(
-    strain: ArrayLike, wavelength: ArrayLike, poisson: float = 0.5, factor: float = 1.0
-) -> Array:
-    """Return the Cerda-Mahadevan amplitude A = factor lambda sqrt(nu eps), eq. CM-amplitude.
-
-    The model gives a proportionality; `SINUSOID_CONSTANT` is the factor of a sinusoidal profile.
-
-    Parameters
-    ----------
-    strain : array_like
-        Strain eps > 0, any shape.
-    wavelength : array_like
-        lambda in any unit, which is that of the result; broadcast against `strain`.
-    poisson : float
-        Poisson's ratio nu.
-    factor : float
-        Factor of proportionality.
-
-    Returns
-    -------
-    ndarray
-
-    Raises
-    ------
-    ValueError
-        If a strain is not positive.
-    """
-    confinement = np.sqrt(cm_confinement(_tensile(strain), poisson))
-    return slaved_amplitude(wavelength, confinement, factor)
-
-
-def slaved_amplitude(
-    wavelength: ArrayLike, confinement: ArrayLike, shape_constant: float = SINUSOID_CONSTANT
-) -> Array:
-    """Return the amplitude A = C lambda Phi, the slaving condition of the paper's eq. amp-geo.
-
-    Parameters
-    ----------
-    wavelength : array_like
-        lambda in any unit, which is that of the result.
-    confinement : array_like
-        Phi, the square root of (W_act - W_proj)/W_proj; broadcast against `wavelength`.
-    shape_constant : float
-        C: 1/pi for a sinusoid; the paper's best fit is 1.
-
-    Returns
-    -------
-    ndarray
-    """
-    lengths = np.asarray(wavelength, dtype=np.float64)
-    return shape_constant * lengths * np.asarray(confinement, dtype=np.float64)
 
 
 def actual_width(strain: ArrayLike, poisson: float = 0.5) -> Array:

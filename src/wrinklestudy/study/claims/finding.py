@@ -1,4 +1,4 @@
-"""What is found about one statement of the paper, and how a verdict is reached."""
+"""What is found about one claim, and how a verdict is reached."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -91,18 +91,20 @@ class Finding:
 
 @dataclass(frozen=True)
 class Claim:
-    """A statement of the paper and the rule that judges it.
+    """What a publication claims and the rule that judges it.
 
     Parameters
     ----------
     key : str
         Short name.
+    order : tuple of int
+        Where it stands in the table of claims: section, subsection (0 for none), number.
     place : str
-        Section or figure, numbered as the paper's LaTeX numbers them.
-    quotation : str
-        The words of the paper.
+        Where it is claimed, by section, figure or table.
+    statement : str
+        What is claimed there, in the words of this project.
     reading : str
-        What they are taken to say.
+        How it is taken to be tested, where the statement leaves that open; empty otherwise.
     tolerance : str
         When the study counts as agreeing.
     judge : callable
@@ -110,8 +112,9 @@ class Claim:
     """
 
     key: str
+    order: tuple[int, ...]
     place: str
-    quotation: str
+    statement: str
     reading: str
     tolerance: str
     judge: Callable[[StudyTables], Finding]
@@ -125,13 +128,13 @@ class Claim:
 
 
 def claim(
-    place: str, quotation: str, reading: str, tolerance: str
+    *, order: tuple[int, ...], place: str, statement: str, tolerance: str, reading: str = ""
 ) -> Callable[[Callable[[StudyTables], Finding]], Claim]:
     """Return a decorator that makes a rule a `Claim`, named after the function."""
 
     def wrap(judge: Callable[[StudyTables], Finding]) -> Claim:
         key = judge.__name__.replace("_", "-")
-        return Claim(key, place, quotation, reading, tolerance, judge)
+        return Claim(key, order, place, statement, reading, tolerance, judge)
 
     return wrap
 

@@ -5,7 +5,8 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from html import escape
 
-from wrinklestudy.studies.panaitescu2019.table1 import TENSION_FIELD, Table1Row
+from wrinklestudy.study.catalogue import Catalogue
+from wrinklestudy.study.claims.extra_table import ExtraTable
 from wrinklestudy.study.claims.finding import VERDICTS, Claim, Finding, Verdict
 from wrinklestudy.study.claims.sheet import SheetStates
 from wrinklestudy.study.claims.tables import StudyTables
@@ -67,32 +68,37 @@ _FOOTNOTE = (
 
 
 def html_page(
-    study: StudyTables, found: Sequence[tuple[Claim, Finding]], table1: Sequence[Table1Row]
+    catalogue: Catalogue,
+    study: StudyTables,
+    found: Sequence[tuple[Claim, Finding]],
+    tables: Sequence[ExtraTable],
 ) -> str:
     """Return the page.
 
     Parameters
     ----------
-    study : Study
+    catalogue : Catalogue
+        What the page is about.
+    study : StudyTables
     found : sequence of (Claim, Finding)
-        In the order of the paper.
-    table1 : sequence of Row
-        Table I; may be empty.
+        In the order of the publication.
+    tables : sequence of ExtraTable
+        Those of the catalogue, in its order.
     """
     name, aspect, thickness = study.wanted
     sections = [
-        "<h1>Claims of “Birth and decay of tensional wrinkles in hyperelastic sheets” against the "
-        "computed study</h1>",
-        "<p>A. Panaitescu, M. Xin, B. Davidovitch, J. Chopin, A. Kudrolli, Phys. Rev. E 100, "
-        f"053003 (2019). The sheet of the text is {escape(name)}, L/W = {aspect:g}, t/W = "
-        f"{thickness:g}.</p>",
+        f"<h1>Claims of “{escape(catalogue.title)}” against the computed study</h1>",
+        f"<p>{escape(f'{catalogue.citation} '.lstrip())}The sheet of the text is {escape(name)}, "
+        f"L/W = {aspect:g}, t/W = {thickness:g}.</p>",
         _counts(found),
         "<h2>Overview</h2>",
         _overview(found),
-        "<h2>Claims, in the order of the paper</h2>",
+        "<h2>Claims, in the order of the publication</h2>",
         *(_article(k, claim, finding) for k, (claim, finding) in enumerate(found, 1)),
-        "<h2>Table I with computed values</h2>",
-        _table1(table1),
+        *(
+            f"<h2>{escape(entry.title)}</h2>\n{_extra_table(table)}"
+            for entry, table in zip(catalogue.tables, tables, strict=True)
+        ),
         "<h2>Sheets of the study</h2>",
         _sheets(study.sheets),
         f"<footer><p>{_FOOTNOTE}</p></footer>",
@@ -101,7 +107,7 @@ def html_page(
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f"<title>Claims of the paper</title>\n<style>{_STYLE}</style>\n</head>\n"
+        f"<title>Claims and computed values</title>\n<style>{_STYLE}</style>\n</head>\n"
         f"<body>\n{body}\n</body>\n</html>\n"
     )
 
@@ -116,7 +122,7 @@ def _counts(found: Sequence[tuple[Claim, Finding]]) -> str:
 
 def _overview(found: Sequence[tuple[Claim, Finding]]) -> str:
     rows = "\n".join(
-        f"<tr><td>{number}</td><td>{escape(claim.quotation)}</td>"
+        f"<tr><td>{number}</td><td>{escape(claim.statement)}</td>"
         f'<td class="{_CLASSES[finding.verdict]}">{finding.verdict}</td></tr>'
         for number, (claim, finding) in enumerate(found, 1)
     )
@@ -126,7 +132,7 @@ def _overview(found: Sequence[tuple[Claim, Finding]]) -> str:
 def _article(number: int, claim: Claim, finding: Finding) -> str:
     kind = _CLASSES[finding.verdict]
     verdict = escape(f"{finding.verdict} {finding.depends_on}".strip())
-    entries = [("Reading", escape(claim.reading))]
+    entries = [("Reading", escape(claim.reading))] if claim.reading else []
     if finding.values:
         cells = "".join(
             f"<span>{escape(value.name)}</span><b>{escape(value.text)}</b>"
@@ -147,7 +153,7 @@ def _article(number: int, claim: Claim, finding: Finding) -> str:
         f'<header><span class="number">{number}</span>'
         f'<span class="place">{escape(claim.place)}</span>'
         f'<span class="verdict {kind}">{verdict}</span></header>\n'
-        f"<blockquote>“{escape(claim.quotation)}”</blockquote>\n<dl>\n{rows}\n</dl>\n</article>"
+        f"<blockquote>{escape(claim.statement)}</blockquote>\n<dl>\n{rows}\n</dl>\n</article>"
     )
 
 
@@ -155,47 +161,10 @@ def _values_class(name: str) -> str:
     return ' class="values"' if name == "Computed" else ""
 
 
-def _table1(rows: Sequence[Table1Row]) -> str:
-    if not rows:
-        return "<p>Not computed: the study lacks wrinkled states of the sheet of the text.</p>"
-    head = (
-        "width",
-        "ε",
-        "computed",
-        "flat state",
-        "current version",
-        "difference",
-        "original CM model",
-        "difference",
-        "",
-    )
-    body = (
-        (
-            row.quantity,
-            f"{row.strain:g}",
-            f"{row.computed:.5f}",
-            f"{row.planar:.5f}",
-            row.current if math.isnan(row.current_value) else f"{row.current_value:.5f}",
-            _signed(row.deviation_from_current),
-            f"{row.original_value:.5f}",
-            _signed(row.deviation_from_original),
-            row.note,
-        )
-        for row in rows
-    )
-    formulas = "; ".join(
-        sorted({f"{row.quantity} = {row.current} ({row.original})" for row in rows})
-    )
-    note = (
-        f'<p class="cases">Widths over W on the mid-line, ν = 1/2. Current version (original '
-        f"model): {escape(formulas)}. {TENSION_FIELD.capitalize()} has no closed form here and is "
-        "not solved by the study.</p>"
-    )
-    return _table(head, body) + note
-
-
-def _signed(value: float) -> str:
-    return "" if math.isnan(value) else f"{value:+.5f}"
+def _extra_table(table: ExtraTable) -> str:
+    shown = _table(table.head, table.cells) if table.head else ""
+    kind = ' class="cases"' if shown else ""
+    return f"{shown}<p{kind}>{escape(table.note)}</p>"
 
 
 def _sheets(sheets: Iterable[SheetStates]) -> str:

@@ -7,17 +7,16 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from wrinklestudy.results.files import atomic_path
-from wrinklestudy.studies.panaitescu2019.table1 import COLUMNS as TABLE1_COLUMNS
-from wrinklestudy.studies.panaitescu2019.table1 import Table1Row
+from wrinklestudy.study.claims.extra_table import ExtraTable
 from wrinklestudy.study.claims.finding import Claim, Finding
 from wrinklestudy.typing import AnyPath
 
 CLAIM_COLUMNS: dict[str, str] = {
-    "number": "in the order of the paper",
+    "number": "in the order of the publication",
     "key": "short name",
-    "place": "section or figure, as the paper's LaTeX numbers them",
-    "quotation": "words of the paper",
-    "reading": "what they are taken to say",
+    "place": "section, figure or table where it is claimed",
+    "statement": "what is claimed there, in the words of this project",
+    "reading": "how it is taken to be tested, where the statement leaves that open",
     "computed": "what was computed, rounded",
     "tolerance": "when the study counts as agreeing",
     "verdict": "agree, disagree, depends on or not computed",
@@ -39,7 +38,7 @@ def _claim(number: int, claim: Claim, finding: Finding) -> list[Any]:
         number,
         claim.key,
         claim.place,
-        claim.quotation,
+        claim.statement,
         claim.reading,
         "; ".join(f"{value.name}: {value.text}" for value in finding.values),
         claim.tolerance,
@@ -51,10 +50,9 @@ def _claim(number: int, claim: Claim, finding: Finding) -> list[Any]:
     ]
 
 
-def table1(output: AnyPath, rows: Sequence[Table1Row]) -> None:
-    """Write Table I, columns `table1.COLUMNS`; an empty cell means that there is no number."""
-    cells = ([_cell(getattr(row, name)) for name in TABLE1_COLUMNS] for row in rows)
-    _table(output, TABLE1_COLUMNS, cells)
+def extra_table(output: AnyPath, table: ExtraTable) -> None:
+    """Write a further table; an empty cell means that there is no number."""
+    _table(output, table.columns, ([_cell(value) for value in row] for row in table.rows))
 
 
 def _cell(value: str | float) -> str | float:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from wrinklestudy.study.claims.finding import Claim, Finding, Value, claim, number_text, verdict_of
+from wrinklestudy.study.claims.finding import Finding, Value, claim, number_text, verdict_of
 from wrinklestudy.study.claims.sheet import MissingError, SheetStates
 from wrinklestudy.study.claims.tables import StudyTables
 from wrinklestudy.typing import Array
@@ -19,9 +19,9 @@ def _margin(sheet: SheetStates) -> float:
 
 
 @claim(
+    order=(3, 4, 1),
     place="Sec. III.D, Fig. 6a",
-    quotation="No wrinkles are observed in case of Lo/Wo = 1.5",
-    reading="The flat sheet of L/W = 1.5 is stable at every strain.",
+    statement="A sheet of L/W = 1.5 stays flat at every strain.",
     tolerance="no birth strain (eigenvalue problem) and no wrinkled state",
 )
 def none_when_short(study: StudyTables) -> Finding:
@@ -42,10 +42,10 @@ def none_when_short(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(3, 4, 2),
     place="Sec. III.D, Fig. 6a",
-    quotation="wrinkling is observed in the case of Lo/Wo = 3, at which value no wrinkles are "
-    "predicted according to the analysis of Li and Healey",
-    reading="The sheet of L/W = 3 wrinkles over some range of strain.",
+    statement="A sheet of L/W = 3 wrinkles over some range of strain, while Li and Healey "
+    "predict that it stays flat.",
     tolerance="a birth strain (eigenvalue problem)",
 )
 def wrinkles_when_long(study: StudyTables) -> Finding:
@@ -65,12 +65,11 @@ def wrinkles_when_long(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(3, 4, 3),
     place="Abstract, Sec. III.D, Fig. 6a",
-    quotation="a slightly higher cutoff is observed in Lo/Wo, below which wrinkles are not "
-    "observed ... a similar upper cutoff is observed in Lo/Wo above which wrinkles are not "
-    "observed",
-    reading="At this thickness sheets wrinkle only over a finite range of L/W, an island that ends "
-    "within the paper's own range of lengths.",
+    statement="L/W has a lower and an upper limit, outside of which sheets do not wrinkle.",
+    reading="At this thickness the lengths at which sheets wrinkle form an island, and it ends "
+    "within the paper's own range of L/W.",
     tolerance=f"flat sheets on both sides of those that wrinkle, from L/W = {CUTOFF_RANGE[0]:g} to "
     f"{CUTOFF_RANGE[1]:g}",
 )
@@ -110,8 +109,9 @@ def _crossing(aspects: Array, excess: Array, k: int) -> float:
 
 
 @claim(
+    order=(3, 4, 4),
     place="Abstract, Secs. III.D and V, Fig. 6b",
-    quotation="The wrinkles occur provided the sheet is sufficiently thin compared to its width",
+    statement="Only sheets that are thin enough for their width wrinkle.",
     reading="At the length of the paper's sheet thick sheets never wrinkle and all thinner ones "
     "do.",
     tolerance="at least one sheet of the series never wrinkles, one does, and each of those that "
@@ -146,8 +146,9 @@ def thin_enough(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(4, 1, 1),
     place="Sec. IV.A",
-    quotation="a threshold value ε_c, which vanishes with the sheet's thickness",
+    statement="The strain at which wrinkles come up goes to zero with the thickness.",
     reading="The birth strain falls with the thickness, like a positive power of it.",
     tolerance="lower for each thinner sheet of the series",
 )
@@ -172,12 +173,3 @@ def threshold_vanishes(study: StudyTables) -> Finding:
         f"t^{power:.2g}.",
         sheets=tuple(sheets),
     )
-
-
-CLAIMS: tuple[Claim, ...] = (
-    none_when_short,
-    wrinkles_when_long,
-    island_of_lengths,
-    thin_enough,
-    threshold_vanishes,
-)

@@ -4,7 +4,6 @@ import numpy as np
 
 from wrinklestudy.studies.panaitescu2019.claims.persistence import BENDING, ends, shorter
 from wrinklestudy.study.claims.finding import (
-    Claim,
     Finding,
     Value,
     claim,
@@ -26,9 +25,9 @@ NEO_HOOKEAN, SVK = "neo-hookean", "svk"
 
 
 @claim(
+    order=(3, 3, 1),
     place="Sec. III.C, Fig. 5a",
-    quotation="the measured amplitude extends over a significantly higher strain ε besides being "
-    "systematically greater [than that of neo-Hookean simulations]",
+    statement="Measured amplitudes are larger throughout than those of neo-Hookean simulations.",
     reading="A neo-Hookean sheet fitted to the same data has the smaller amplitude at every "
     "strain.",
     tolerance=f"at no strain larger by more than {ACCURACY:.1%} of the largest amplitude",
@@ -68,9 +67,10 @@ def _has(sheet: SheetStates, strain: float) -> bool:
 
 
 @claim(
+    order=(3, 3, 2),
     place="Sec. III.C, Fig. 5a",
-    quotation="the measured amplitude extends over a significantly higher strain ε [than that of "
-    "neo-Hookean simulations]",
+    statement="Measured wrinkles last up to a clearly larger strain than those of neo-Hookean "
+    "simulations.",
     reading="A neo-Hookean sheet fitted to the same data has the lower decay strain.",
     tolerance=f"at most {SHORTER:g} of the decay strain",
 )
@@ -89,9 +89,9 @@ def neo_hookean_shorter(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(3, 3, 4),
     place="Sec. III.C",
-    quotation="the persistence of wrinkles to higher strains is strongly affected by material "
-    "nonlinearities",
+    statement="How far wrinkles last depends strongly on the nonlinearity of the material.",
     reading="Laws with about the same initial response have very different decay strains.",
     tolerance=f"decay strains of the laws spread over at least {STRONG:.0%} of the largest",
 )
@@ -117,11 +117,11 @@ def material_nonlinearity(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(3, 3, 5),
     place="Sec. III.C",
-    quotation="the SVK plate model ... is also able to capture qualitatively the disappearance of "
-    "the wrinkles at large strain, but at much lower strains",
-    reading="A Saint Venant-Kirchhoff sheet with the initial modulus of the data wrinkles and has "
-    "a much lower decay strain under the same bending law.",
+    statement="With Saint Venant-Kirchhoff wrinkles vanish as well, at far smaller strains.",
+    reading="A Saint Venant-Kirchhoff sheet with the initial modulus of the data wrinkles and "
+    "has a much lower decay strain under the same bending law.",
     tolerance=f"wrinkles, and a decay strain of at most {MUCH_LOWER:g} of that of the paper's "
     "sheet, for every bending law that was computed",
 )
@@ -165,8 +165,9 @@ def _holes(sheets: dict[str, SheetStates]) -> str:
 
 
 @claim(
+    order=(5, 0, 1),
     place="Secs. I and V, abstract",
-    quotation="The wrinkles are observed at higher strains in comparison with SVK and NH models.",
+    statement="Wrinkles last to larger strains than with Saint Venant-Kirchhoff or neo-Hookean.",
     reading="Of the three laws Mooney-Rivlin has the largest decay strain.",
     tolerance=f"the others have at most {SHORTER:g} of it",
 )
@@ -187,12 +188,3 @@ def mooney_rivlin_highest(study: StudyTables) -> Finding:
         what,
         (sheet, *others.values()),
     )
-
-
-CLAIMS: tuple[Claim, ...] = (
-    neo_hookean_smaller,
-    neo_hookean_shorter,
-    material_nonlinearity,
-    svk_much_lower,
-    mooney_rivlin_highest,
-)

@@ -3,7 +3,6 @@
 import numpy as np
 
 from wrinklestudy.study.claims.finding import (
-    Claim,
     Finding,
     Value,
     Verdict,
@@ -22,7 +21,7 @@ FAR_BEYOND = 1.25  # times the upper end of that range
 SLOWER = 1.5  # times
 GREATEST_STRAIN = 0.46  # of the images of Fig. 2
 PERSISTENCE = 0.4  # strain
-ABOUT = 0.1  # of a strain that the text calls "about" or "around"
+ABOUT = 0.1  # of a strain that the text gives roughly
 
 BENDING = "the bending law"
 
@@ -53,10 +52,10 @@ def bending_values(persist: dict[str, float]) -> tuple[Value, ...]:
 
 
 @claim(
+    order=(3, 0, 1),
     place="Sec. III, Fig. 2",
-    quotation="wrinkles appear as an instability of a planar deformation, after a finite strain is "
-    "applied",
-    reading="The flat sheet is stable up to a strain above zero.",
+    statement="The flat sheet is stable up to some strain above zero; there it becomes unstable, "
+    "and wrinkles come up.",
     tolerance=f"birth strain (eigenvalue problem) at least {LEAST_BIRTH:g}, and no wrinkled state "
     "below it",
 )
@@ -80,8 +79,9 @@ def appear_at_finite_strain(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(3, 0, 2),
     place="Sec. III, Fig. 2",
-    quotation="and then indeed disappear when sufficiently large strain is applied",
+    statement="Beyond some larger strain the wrinkles are gone.",
     reading="The flat sheet is stable again beyond a decay strain, and all states there are flat.",
     tolerance="a decay strain exists (eigenvalue problem) and no wrinkled state lies beyond it",
 )
@@ -102,15 +102,16 @@ def disappear_at_large_strain(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(3, 0, 3),
     place="Sec. III",
-    quotation="wrinkles persist to far greater strains than the range 0.1 to 0.23 reported "
-    "previously",
+    statement="The sheet stays wrinkled up to strains much larger than those known from earlier "
+    "work, 0.1 to 0.23.",
     reading="The decay strain lies well above 0.23.",
     tolerance=f"decay strain at least {FAR_BEYOND:g} x {EARLIER_RANGE[1]:g}, for every bending law "
     "that was computed",
 )
 def beyond_earlier_range(study: StudyTables) -> Finding:
-    """Compare the decay strain with the largest one that the paper quotes from others."""
+    """Compare the decay strain with the largest one of earlier work."""
     sheets = study.by("bending")
     persist = ends(sheets)
     limit = FAR_BEYOND * EARLIER_RANGE[1]
@@ -125,8 +126,9 @@ def beyond_earlier_range(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(3, 1, 4),
     place="Sec. III.A, Fig. 4",
-    quotation="the wrinkles increase rapidly in amplitude, before decreasing more slowly",
+    statement="With growing strain the amplitude rises fast and falls slowly.",
     reading="The strain interval from birth to the largest amplitude is much shorter than that "
     "from there to the decay.",
     tolerance=f"the decreasing part is at least {SLOWER:g} times as long",
@@ -152,9 +154,10 @@ def rise_and_decay(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(3, 1, 5),
     place="Sec. III.A, Figs. 2 and 4",
-    quotation="... more slowly to essentially zero at the greatest strains applied",
-    reading=f"The sheet is flat at ε = {GREATEST_STRAIN:g}, the greatest strain of Fig. 2.",
+    statement="At the largest strain of the experiment hardly any amplitude is left.",
+    reading=f"The sheet is flat at ε = {GREATEST_STRAIN:g}, the largest strain of Fig. 2.",
     tolerance=f"decay strain at most {GREATEST_STRAIN:g}, for every bending law that was computed",
 )
 def flat_at_greatest_strain(study: StudyTables) -> Finding:
@@ -173,9 +176,9 @@ def flat_at_greatest_strain(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(5, 0, 2),
     place="Sec. V",
-    quotation="most notably the persistence of wrinkles to applied strain ε ≈ 0.4",
-    reading="The decay strain is about 0.4.",
+    statement="Wrinkles last up to a strain near 0.4.",
     tolerance=f"decay strain within {ABOUT:.0%} of {PERSISTENCE:g}, for every bending law that was "
     "computed",
 )
@@ -195,10 +198,10 @@ def persist_to_two_fifths(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(3, 3, 3),
     place="Sec. III.C",
-    quotation="simulation results using the Mooney-Rivlin model ... where the maximal strain at "
-    "which wrinkles disappear was around 0.3 ... This can occur because the material constants "
-    "used in those simulations may be different",
+    statement="In other Mooney-Rivlin simulations of a sheet of this size wrinkles vanish near a "
+    "strain of 0.3; other constants of the material may be the reason.",
     reading="A decay strain of 0.3 is a matter of the constants. Tested with the same constants "
     "under other bending laws, and with the limit C01 = 0 (neo-Hookean) fitted to the same data.",
     tolerance=f"agree if C01 = 0 brings the decay strain to {1 + ABOUT:g} x 0.3 or below and no "
@@ -232,14 +235,3 @@ def around_three_tenths(study: StudyTables) -> Finding:
         what,
         (*sheets.values(), limit),
     )
-
-
-CLAIMS: tuple[Claim, ...] = (
-    appear_at_finite_strain,
-    disappear_at_large_strain,
-    beyond_earlier_range,
-    rise_and_decay,
-    flat_at_greatest_strain,
-    around_three_tenths,
-    persist_to_two_fifths,
-)

@@ -7,7 +7,6 @@ from wrinklestudy.metrics.profile import Profile
 from wrinklestudy.studies.panaitescu2019 import theory
 from wrinklestudy.studies.panaitescu2019.claims.confinement import AVERAGES, AVERAGING
 from wrinklestudy.study.claims.finding import (
-    Claim,
     Finding,
     Value,
     claim,
@@ -47,8 +46,9 @@ def _slope(points: tuple[Array, Array]) -> float:
 
 
 @claim(
+    order=(4, 3, 10),
     place="Sec. IV.C, Fig. 7c",
-    quotation="both agree with the geometric relation, Eq. (4) with a single numerical constant",
+    statement="Experiment and simulation follow A = C λ Φ with one constant C.",
     reading="A is proportional to λ Φ over the whole range of strain.",
     tolerance=f"every wrinkled state within {SCATTER:.0%} of the largest amplitude of the straight "
     "line through the origin, for both averages of Φ²",
@@ -72,8 +72,9 @@ def single_constant(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(4, 3, 11),
     place="Sec. IV.C, Figs. 7c and 7d",
-    quotation="a single numerical constant C = 1, even at large strains",
+    statement="C is 1, at large strains too.",
     reading="C = A/(λ Φ) is 1, given to one digit. A sinusoid has C = 1/π (Sec. IV.A); what C is "
     "depends on the width over which Φ² is averaged.",
     tolerance=f"slope of A against λ Φ from {ONE_DIGIT[0]:g} to {ONE_DIGIT[1]:g}, for both "
@@ -119,10 +120,11 @@ def _sinusoid_constant() -> float:
 
 
 @claim(
+    order=(4, 1, 3),
     place="Sec. IV.A, below Eq. (4)",
-    quotation="if the shape is a sinusoidal undulation ... one obtains C = 1/π",
-    reading="C of an exact sinusoid, measured as all profiles are, is 1/π; so is C of the central "
-    "crest of the computed profiles as far as that is a sinusoid.",
+    statement="C is 1/π for a sinusoidal profile.",
+    reading="C of an exact sinusoid, measured as all profiles are, is 1/π; so is C of the "
+    "central crest of the computed profiles as far as that is a sinusoid.",
     tolerance=f"exact sinusoid within {SINUSOID:.0%} of 1/π, central wavelength of every wrinkled "
     f"state within {SHAPE:.0%}",
 )
@@ -146,10 +148,9 @@ def sinusoid(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(4, 3, 13),
     place="Sec. IV.C, Fig. 7d",
-    quotation="the wrinkle profile slightly varies upon increasing the applied tensile load, "
-    "affecting a weak ε-dependence (namely C → C(ε))",
-    reading="C changes with strain, but little.",
+    statement="C depends on ε, but weakly: the shape of the wrinkles changes a little under load.",
     tolerance=f"range of C over the wrinkled states from {WEAK[0]:.1%} to {WEAK[1]:.0%} of its "
     "mean, for both averages",
 )
@@ -176,8 +177,9 @@ def weak_dependence(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(4, 3, 12),
     place="Sec. IV.C, Fig. 7d",
-    quotation="three different aspect ratios ... The collapse of the data is remarkable",
+    statement="The data of three L/W fall on one line.",
     reading=f"Beyond ε = {LARGE_STRAIN:g} one constant C serves sheets of different L/W.",
     tolerance=f"C of the sheets differ by at most {COLLAPSE:.0%} of their mean, for both averages",
 )
@@ -215,10 +217,10 @@ def _wrinkled_beyond(study: StudyTables) -> list[SheetStates]:
 
 
 @claim(
+    order=(4, 3, 14),
     place="Caption of Fig. 7d",
-    quotation="Amplitude for large strain ε > 0 and various Lo/Wo for ε > 0.15",
-    reading=f"The caption names two ranges; ε > {LARGE_STRAIN:g} is taken. Tested: whether the "
-    "choice matters for C.",
+    statement="The caption limits the data twice, to ε > 0 and to ε > 0.15.",
+    reading=f"ε > {LARGE_STRAIN:g} is taken. Tested: whether the choice matters for C.",
     tolerance=f"C over both ranges within {CAPTION:.0%} of each other, for both averages",
 )
 def caption_ranges(study: StudyTables) -> Finding:
@@ -251,13 +253,3 @@ def _pooled(sheets: list[SheetStates], average: str, above: float) -> tuple[Arra
     parts = [_points(sheet, average, above) for sheet in sheets]
     product, height = (np.concatenate(columns) for columns in zip(*parts, strict=True))
     return product, height
-
-
-CLAIMS: tuple[Claim, ...] = (
-    single_constant,
-    constant_is_one,
-    sinusoid,
-    weak_dependence,
-    collapse,
-    caption_ranges,
-)

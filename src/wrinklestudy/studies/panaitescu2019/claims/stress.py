@@ -6,7 +6,7 @@ import numpy as np
 
 from wrinklestudy.material.homogeneous import nominal_stress
 from wrinklestudy.studies.panaitescu2019 import theory
-from wrinklestudy.study.claims.finding import Claim, Finding, Value, claim, verdict_of
+from wrinklestudy.study.claims.finding import Finding, Value, claim, verdict_of
 from wrinklestudy.study.claims.sheet import MissingError
 from wrinklestudy.study.claims.tables import StudyTables
 from wrinklestudy.typing import Array
@@ -34,11 +34,12 @@ def _curve(study: StudyTables, start: float = 1e-3) -> tuple[Array, Array, float
 
 
 @claim(
+    order=(2, 0, 1),
     place="Sec. II, caption of Fig. 1",
-    quotation="The measured Y = 1 MPa.",
-    reading='Young\'s modulus, "the initial slope of the curve" (Sec. II), is 1 MPa. For the '
-    "constants of the same section it is 6 (C10 + C01): the text contradicts itself. Figures "
-    "divide by the stated 1 MPa.",
+    statement="Young's modulus of the latex, by which stresses are divided, is 1 MPa.",
+    reading="Young's modulus is defined there as the initial slope. For the constants of the "
+    "same section it is 6 (C10 + C01): the text contradicts itself. Figures divide by the stated "
+    "1 MPa.",
     tolerance=f"initial slope of the fitted law within {MODULUS:.0%} of 1 MPa",
 )
 def young_modulus(study: StudyTables) -> Finding:
@@ -68,9 +69,9 @@ def young_modulus(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(2, 0, 2),
     place="Sec. II, Fig. 1",
-    quotation="the stress-strain curve is nonlinear above ε ≈ 0.1 compared to the linear elastic "
-    "constitutive law",
+    statement="Above a strain of about 0.1 stress is no longer proportional to strain.",
     reading="From ε = 0.1 on the nominal stress departs visibly from Y ε, Y the initial slope.",
     tolerance=f"departure of at least {DEPARTURE:.0%} at every strain from {NONLINEAR_FROM:g} to "
     "the end of the fit",
@@ -98,9 +99,10 @@ def nonlinear_stress(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(2, 0, 5),
     place="Sec. II, Fig. 1",
-    quotation="The corresponding curve ... is observed to be in excellent agreement with the data.",
-    reading="The Mooney-Rivlin law fits the measured points.",
+    statement="The Mooney-Rivlin law with the fitted constants describes the measured points "
+    "very well.",
     tolerance=f"root mean square misfit at most {FIT:.0%} of the largest stress",
 )
 def law_fits_data(study: StudyTables) -> Finding:
@@ -122,11 +124,11 @@ def law_fits_data(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(2, 0, 6),
     place="Sec. II, Fig. 1",
-    quotation="We also compare the curve with the SVK model ... However, systematic deviations are "
-    "observed",
-    reading="With the same initial slope, Saint Venant-Kirchhoff departs from the fitted curve to "
-    f"one side everywhere above ε = {NONLINEAR_FROM:g}.",
+    statement="Saint Venant-Kirchhoff misses the measured curve systematically.",
+    reading="With the same initial slope it departs from the fitted curve to one side "
+    f"everywhere above ε = {NONLINEAR_FROM:g}.",
     tolerance=f"at least {SYSTEMATIC:.0%} of the stress, always of one sign",
 )
 def svk_deviates(study: StudyTables) -> Finding:
@@ -149,10 +151,11 @@ def svk_deviates(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(2, 0, 4),
     place="Sec. II",
-    quotation="D1 = 0 Pa corresponding to the volumetric response",
-    reading="Incompressible. (In Abaqus D1 is a compliance, 2 over the bulk modulus, in 1/Pa; zero "
-    "stands for an infinite bulk modulus.)",
+    statement="The constant D1 of the volumetric response is zero.",
+    reading="Incompressible. (In Abaqus D1 is a compliance, 2 over the bulk modulus, in 1/Pa; "
+    "zero stands for an infinite bulk modulus.)",
     tolerance=f"volume of the stretched sheet constant to {VOLUME:g}",
 )
 def incompressible(study: StudyTables) -> Finding:
@@ -172,12 +175,3 @@ def incompressible(study: StudyTables) -> Finding:
         f"The volume of the sheet in the {study.material.fit.law} law changes by up to "
         f"{change:.2g} of itself.",
     )
-
-
-CLAIMS: tuple[Claim, ...] = (
-    young_modulus,
-    nonlinear_stress,
-    law_fits_data,
-    svk_deviates,
-    incompressible,
-)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from wrinklestudy.study.claims.finding import Claim, Finding, Value, claim, verdict_of
+from wrinklestudy.study.claims.finding import Finding, Value, claim, verdict_of
 from wrinklestudy.study.claims.sheet import MissingError
 from wrinklestudy.study.claims.tables import StudyTables
 
@@ -19,8 +19,9 @@ _AMPLITUDE = "amplitude_over_thickness"
 
 
 @claim(
+    order=(2, 0, 3),
     place="Sec. III, captions of Figs. 2 and 3",
-    quotation="Wrinkles are formed in the central region of a sheet",
+    statement="The wrinkles lie in the middle of the sheet.",
     reading="The largest deflection of the whole sheet lies near its centre, at every strain.",
     tolerance=f"|X| at most {CENTRAL:g} L and |Y| at most {CENTRAL:g} W",
 )
@@ -43,10 +44,11 @@ def central_region(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(3, 1, 2),
     place="Sec. III.A, Fig. 3",
-    quotation="the color bar, which is between ±3.5 × 10⁻³ Wo",
-    reading=f"The colour bar spans the deflection at ε = {SHOWN_STRAIN:g}: the largest |z| fills "
-    "most of 3.5e-3 W and does not exceed it.",
+    statement="The colours of Fig. 3 span deflections up to 3.5e-3 W either way.",
+    reading=f"At ε = {SHOWN_STRAIN:g} the largest |z| fills most of 3.5e-3 W and does not exceed "
+    "it.",
     tolerance=f"largest |z| from {FILLED[0]:.0%} to {FILLED[1]:.0%} of 3.5e-3 W",
 )
 def colour_bar(study: StudyTables) -> Finding:
@@ -66,10 +68,11 @@ def colour_bar(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(3, 1, 3),
     place="Sec. III.A, Fig. 3",
-    quotation="or about ±2.5 to",
-    reading="3.5e-3 W are 2.5 thicknesses. The two numbers of one colour bar contradict each other "
-    f"unless t/W = {COLOUR_BAR / COLOUR_BAR_IN_THICKNESS:.2g}; 3.5e-3 W is taken.",
+    statement="In units of the thickness, this colour bar spans some 2.5 t either way.",
+    reading="3.5e-3 W are 2.5 thicknesses. The two numbers of one colour bar contradict each "
+    f"other unless t/W = {COLOUR_BAR / COLOUR_BAR_IN_THICKNESS:.2g}; 3.5e-3 W is taken.",
     tolerance=f"3.5e-3 W within {BAR:.0%} of 2.5 t",
 )
 def colour_bar_in_thicknesses(study: StudyTables) -> Finding:
@@ -91,11 +94,12 @@ def colour_bar_in_thicknesses(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(3, 1, 1),
     place="Caption of Fig. 3",
-    quotation="ε = (L - Lo)/Wo = 0.12",
-    reading="The elongation over the width, not over the length as Sec. II defines ε. Section II "
-    f"is followed everywhere else. Tested by which definition gives a deflection that fills "
-    f"({FILLED[0]:.0%} to {FILLED[1]:.0%}) the colour bar, 3.5e-3 W or 2.5 t.",
+    statement="The strain of Fig. 3, 0.12, is the elongation over the width.",
+    reading="Section II defines ε as the elongation over the length and is followed everywhere "
+    f"else. Tested by which definition gives a deflection that fills ({FILLED[0]:.0%} to "
+    f"{FILLED[1]:.0%}) the colour bar, 3.5e-3 W or 2.5 t.",
     tolerance="agree if the caption's strain fills the bar and that of Sec. II does not, disagree "
     "if it fills neither of the two bars",
 )
@@ -129,8 +133,9 @@ def _names(bars: set[str]) -> str:
 
 
 @claim(
+    order=(3, 2, 1),
     place="Sec. III.B, Fig. 4",
-    quotation="the profiles are antisymmetric in both the experiments as well as the simulations",
+    statement="Measured and computed profiles alike are antisymmetric across the width.",
     reading="Of the two wrinkled states, antisymmetric and symmetric across the width, the sheet "
     "takes the antisymmetric one because it has the lower energy.",
     tolerance=f"energies that differ by less than {DEGENERATE:.0%} of the energy gained by "
@@ -166,12 +171,3 @@ def antisymmetric(study: StudyTables) -> Finding:
     if 0 < lower < len(above):
         return Finding("depends on", values, text, "the strain", (odd, even))
     return Finding(verdict_of(lower > 0), values, text, sheets=(odd, even))
-
-
-CLAIMS: tuple[Claim, ...] = (
-    central_region,
-    colour_bar,
-    colour_bar_in_thicknesses,
-    strain_definition,
-    antisymmetric,
-)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from wrinklestudy.studies.panaitescu2019 import theory
-from wrinklestudy.study.claims.finding import Claim, Finding, Value, claim, largest, verdict_of
+from wrinklestudy.study.claims.finding import Finding, Value, claim, largest, verdict_of
 from wrinklestudy.study.claims.sheet import MissingError
 from wrinklestudy.study.claims.tables import StudyTables
 from wrinklestudy.typing import Array
@@ -30,11 +30,12 @@ def _against_theory(study: StudyTables) -> tuple[Array, Array]:
 
 
 @claim(
+    order=(4, 2, 1),
     place="Sec. IV.B, Fig. 5b",
-    quotation="the overall decreasing trend with strain can be described by Eq. (2) after "
-    "multiplying by a factor 0.8 to the data and using ν = 0.5",
-    reading="λ = 0.8 sqrt(2 π L t) / [3 (1 - ν²) ε]^(1/4) with ν = 1/2. (Taken literally, the data "
-    "times 0.8 would equal the equation, a factor of 1.25.)",
+    statement="The wavelength falls with strain as the Cerda-Mahadevan equation has it for ν = "
+    "1/2, with a factor of 0.8.",
+    reading="λ = 0.8 sqrt(2 π L t) / [3 (1 - ν²) ε]^(1/4). (The text puts the factor on the "
+    "data; taken literally, that would be a factor of 1.25 on the equation.)",
     tolerance=f"within {CLOSE:.0%} of the computed wavelength at every wrinkled strain",
 )
 def scaled_wavelength(study: StudyTables) -> Finding:
@@ -59,10 +60,11 @@ def scaled_wavelength(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(4, 2, 2),
     place="Sec. IV.B, Fig. 5b",
-    quotation="discrepancy should be expected near threshold, and is indeed observed",
-    reading="Near the birth strain the computed wavelength is farther from 0.8 times the equation "
-    "than elsewhere.",
+    statement="Close to the threshold theory and data differ more, as they should.",
+    reading="Near the birth strain the computed wavelength is farther from 0.8 times the "
+    "equation than elsewhere.",
     tolerance=f"the deviation at the wrinkled state next to birth (below {NEAR_THRESHOLD:g} times "
     f"the birth strain) is at least {WORSE:g} times the median of all",
 )
@@ -93,8 +95,9 @@ def discrepancy_near_threshold(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(4, 2, 3),
     place="Sec. IV.B, Fig. 5b",
-    quotation="the normalized wavelength λo/Wo is in the interval (0.9, 0.17)",
+    statement="λ/W lies between 0.9 and 0.17.",
     reading=f"{INTERVAL[0]:g} to {INTERVAL[1]:g}: as printed the first number is larger than the "
     "second.",
     tolerance=f"every wrinkled state within {INTERVAL[0]:g} to {INTERVAL[1]:g}, ends widened by "
@@ -121,12 +124,12 @@ def wavelength_interval(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(4, 2, 4),
     place="Sec. IV.B",
-    quotation="the data ... may be actually consistent with ℓ ~ Lo^α Wo^(1-α), with α ≠ 0. In "
-    "order to test the dependence of the longitudinal scale ℓ on the aspect ratio ... a broad "
-    "range",
-    reading="With λ ~ (B ℓ²/T)^(1/4) the wavelength goes like L^(α/2) at one strain and thickness; "
-    "Cerda and Mahadevan have α = 1. Tested on the L/W series.",
+    statement="The length ℓ that sets the wavelength may go like L^α W^(1-α) with α other than "
+    "zero; sheets of many L/W would tell.",
+    reading="With λ ~ (B ℓ²/T)^(1/4) the wavelength goes like L^(α/2) at one strain and "
+    "thickness; Cerda and Mahadevan have α = 1. Tested on the L/W series.",
     tolerance=f"a power law describes λ within {POWER_LAW:.0%} and |α| is at least {NOT_ZERO:g}",
 )
 def length_exponent(study: StudyTables) -> Finding:
@@ -161,9 +164,9 @@ def length_exponent(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(4, 1, 2),
     place="Sec. IV.A",
-    quotation="the only assumption made is that the wrinkled shape is of small slope, namely "
-    "A/λ << 1",
+    statement="The theory assumes of the wrinkles nothing but a small slope, A/λ far below 1.",
     reading="The amplitude is a small part of the wavelength at every strain.",
     tolerance=f"A/λ at most {SMALL_SLOPE:g}",
 )
@@ -181,11 +184,11 @@ def small_slope(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(4, 3, 1),
     place="Sec. IV.C",
-    quotation="the amplitude scales as ~ ε^(1/4) ... experiments and simulations exhibit the "
-    "opposite trend, whereby the amplitude starts to decrease already at rather small values of ε",
-    reading="Contrary to Cerda and Mahadevan the amplitude has its maximum at a small strain and "
-    "falls from there on.",
+    statement="Measured and computed amplitudes fall from small strains on, where Cerda and "
+    "Mahadevan's grows like ε^(1/4).",
+    reading="The amplitude has its maximum at a small strain and falls from there on.",
     tolerance=f"the largest A/t lies at a strain of at most {SMALL_STRAIN:g}, and ln A against ln "
     "ε has a negative slope beyond it",
 )
@@ -207,13 +210,3 @@ def amplitude_decreases(study: StudyTables) -> Finding:
         f"A/t is largest at ε = {peak:.3f}; beyond it A goes like ε^{power:.2g} on average.",
         sheets=(sheet,),
     )
-
-
-CLAIMS: tuple[Claim, ...] = (
-    scaled_wavelength,
-    discrepancy_near_threshold,
-    wavelength_interval,
-    length_exponent,
-    small_slope,
-    amplitude_decreases,
-)

@@ -4,7 +4,6 @@ import numpy as np
 
 from wrinklestudy.studies.panaitescu2019 import theory
 from wrinklestudy.study.claims.finding import (
-    Claim,
     Finding,
     Value,
     claim,
@@ -31,9 +30,9 @@ def _departure(sheet: SheetStates) -> tuple[Array, Array]:
 
 
 @claim(
+    order=(4, 3, 3),
     place="Sec. IV.C, Fig. 7a",
-    quotation="the decrease of W_act is given by W_act = Wo (1 - ν ε) as wrinkles develop for "
-    "ε < 0.1",
+    statement="Up to ε = 0.1 the arc length falls linearly, W_act = W (1 - ν ε).",
     reading="ν = 1/2.",
     tolerance=f"within {LINEAR:.0%} of the contraction ν ε at every strain up to {LINEAR_UP_TO:g}",
 )
@@ -59,11 +58,11 @@ def linear_width(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(4, 3, 4),
     place="Sec. IV.C and caption of Fig. 7a",
-    quotation="At greater ε, nonlinear effects become important leading to deviations from the "
-    "linear decrease",
-    reading=f'"Greater" than {LINEAR_UP_TO:g}, as in the text; the caption has "deviations at '
-    'ε > 0".',
+    statement="At larger strains the arc length leaves the straight line.",
+    reading=f"Beyond ε = {LINEAR_UP_TO:g}, as in the text; the caption has departures from ε = 0 "
+    "on.",
     tolerance=f"more than {LINEAR:.0%} of the contraction at the largest strain of a wrinkled "
     "state",
 )
@@ -87,8 +86,9 @@ def nonlinear_width(study: StudyTables) -> Finding:
 
 
 @claim(
+    order=(4, 3, 2),
     place="Sec. IV.C, Table I",
-    quotation="the actual arc-length, W_act, retains its value in the analogous planar state",
+    statement="Wrinkles leave the arc length across the sheet as it is in the flat state.",
     reading="On the mid-line the arc length of the wrinkled sheet equals the width of the flat "
     "state of the same strain: the transverse stress collapses, not the strain.",
     tolerance=f"within {RETAINED:.0%} of the contraction of the flat state at every wrinkled "
@@ -116,6 +116,3 @@ def planar_width_retained(study: StudyTables) -> Finding:
         f"up, W_act - W_proj, the difference is up to {wasted:.0%}.",
         sheets=(sheet,),
     )
-
-
-CLAIMS: tuple[Claim, ...] = (linear_width, nonlinear_width, planar_width_retained)

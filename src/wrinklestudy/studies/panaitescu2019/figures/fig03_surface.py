@@ -1,10 +1,10 @@
 """Fig. 3c: the computed surface, deflection mapped to colour between +-3.5e-3 W.
 
 The caption of the paper's figure gives the strain as (L - L0)/W0 = 0.12, which would be 0.06 of its
-own definition (L - L0)/L0: both are shown. The paper says that the colour bar is "about +-2.5 t";
-at t/W = 1e-3 it is 3.5 t. The surface is seen obliquely from above with the deflection drawn larger
-than it is, by the factor that the figure states; the two dashed lines bound the central 80% of the
-length, the part that the paper scanned.
+own definition (L - L0)/L0: both are shown. The paper gives its colour bar in thicknesses too, 2.5;
+at t/W = 1e-3 it is 3.5 t. The surface is seen obliquely from above with the deflection drawn
+larger than it is, by the factor that the figure states; the two dashed lines bound the central 80%
+of the length, the part that the paper scanned.
 """
 
 import numpy as np

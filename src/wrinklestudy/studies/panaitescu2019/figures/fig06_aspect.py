@@ -2,7 +2,7 @@
 
 from matplotlib.figure import Figure
 
-from wrinklestudy.studies.panaitescu2019.figures import against_sheet
+from wrinklestudy.study.figures import against_sheet
 from wrinklestudy.study.figures.inputs import Inputs
 
 

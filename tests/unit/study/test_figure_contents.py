@@ -1,12 +1,15 @@
 """A figure gets what it shows of a study, no more and no less, and its caption says so."""
 
+from dataclasses import replace
+
 import pytest
 
 from wrinklestudy.results.cases import Case, StudySheet
-from wrinklestudy.studies.panaitescu2019.figures import FIGURES, MEASURED
-from wrinklestudy.study import config_figures
+from wrinklestudy.study import figure_contents
 from wrinklestudy.study.config import parse_config
+from wrinklestudy.study.loading import load_catalogue
 
+CATALOGUE = load_catalogue("panaitescu2019")
 LATEX = {"data": "a.csv", "law": "mooney-rivlin"}
 ONE = StudySheet("latex", 2.0, 1e-3)
 
@@ -38,14 +41,6 @@ def study(tmp_path):
     return parse_config(raw, "test")
 
 
-def test_every_figure_is_described_and_no_other():
-    assert config_figures.CONTENTS.keys() == FIGURES.keys()
-    panels = [content.panel for content in config_figures.CONTENTS.values()]
-    assert len(set(panels)) == len(panels)
-    for name, content in config_figures.CONTENTS.items():
-        assert name.startswith(f"fig{int(content.panel.rstrip('abcd')):02}_")
-
-
 @pytest.mark.parametrize(
     ("figure", "shown"),
     [
@@ -59,48 +54,57 @@ def test_every_figure_is_described_and_no_other():
     ],
 )
 def test_a_figure_is_drawn_from_the_tables_of_its_sheets_only(study, figure, shown):
-    assert config_figures.sheets_shown(study, figure) == shown
+    assert figure_contents.sheets_shown(study, CATALOGUE.figure(figure)) == shown
 
 
 def test_states_are_those_of_the_figure_sheet(study):
     every = tuple(Case(ONE, strain) for strain in (0.1, 0.2, 0.3))
-    assert config_figures.states_shown(study, "fig04_profiles") == every
-    assert config_figures.states_shown(study, "fig07_width") == ()
+    assert figure_contents.states_shown(study, CATALOGUE.figure("fig04_profiles")) == every
+    assert figure_contents.states_shown(study, CATALOGUE.figure("fig07_width")) == ()
 
 
 def test_only_the_figure_of_the_stress_takes_the_materials(study):
-    takers = [name for name in FIGURES if config_figures.materials_shown(study, name)]
+    takers = [
+        figure.name
+        for figure in CATALOGUE.figures
+        if figure_contents.materials_shown(study, figure)
+    ]
     assert takers == ["fig01_stress"]
-    assert config_figures.materials_shown(study, "fig01_stress") == ("latex", "other")
+    assert figure_contents.materials_shown(study, CATALOGUE.figure("fig01_stress")) == (
+        "latex",
+        "other",
+    )
 
 
 def test_measurements_are_inputs_once_they_exist(study, tmp_path):
-    assert all(config_figures.measured(study, name) == [] for name in FIGURES)
+    assert all(figure_contents.measured(study, figure) == [] for figure in CATALOGUE.figures)
     (tmp_path / "profiles").mkdir()
     files = [tmp_path / "amplitude.csv", *(tmp_path / "profiles" / f"{k}.csv" for k in "ba")]
     for path in [*files, tmp_path / "notes.csv"]:
         path.touch()
     profiles = [str(path) for path in sorted(files[1:])]
-    for name, kinds in MEASURED.items():
-        wanted = profiles if "profiles" in kinds else []
-        wanted = [*wanted, str(files[0])] if "amplitude" in kinds else wanted
-        assert config_figures.measured(study, name) == sorted(wanted)
+    for figure in CATALOGUE.figures:
+        wanted = profiles if "profiles" in figure.measured else []
+        wanted = [*wanted, str(files[0])] if "amplitude" in figure.measured else wanted
+        assert figure_contents.measured(study, figure) == sorted(wanted)
 
 
 def test_a_caption_names_the_cases_and_their_meshes(study):
-    text = config_figures.cases_text(study, "fig06_thickness")
+    text = figure_contents.cases_text(study, CATALOGUE.figure("fig06_thickness"))
     assert text == (
         "latex, L/W = 2, t/W = 0.0005: strain 0.3; "
         "latex, L/W = 2, t/W = 0.001: strain 0.1, 0.2, 0.3"
     )
-    mesh = config_figures.mesh_text(study, "fig06_thickness")
+    mesh = figure_contents.mesh_text(study, CATALOGUE.figure("fig06_thickness"))
     # the wavelength falls as sqrt(t): sqrt(2) as many cells across
     assert mesh == (
         "24 x 51 cells on the quarter sheet for L/W = 2, t/W = 0.0005; "
         "24 x 36 cells on the quarter sheet for L/W = 2, t/W = 0.001"
     )
-    assert config_figures.mesh_text(study, "fig01_stress") == ""
-    assert "latex (mooney-rivlin, a.csv)" in config_figures.cases_text(study, "fig01_stress")
+    assert figure_contents.mesh_text(study, CATALOGUE.figure("fig01_stress")) == ""
+    assert "latex (mooney-rivlin, a.csv)" in figure_contents.cases_text(
+        study, CATALOGUE.figure("fig01_stress")
+    )
 
 
 def test_a_long_list_of_strains_is_told_by_its_ends():
@@ -109,5 +113,12 @@ def test_a_long_list_of_strains_is_told_by_its_ends():
         "sheets": [sheets("latex", [2.0], [1e-3], [k / 50 for k in range(1, 11)])],
         "figures": {"sheet": {"material": "latex", "aspect": 2.0, "thickness": 1e-3}},
     }
-    text = config_figures.cases_text(parse_config(raw, "test"), "fig07_width")
+    text = figure_contents.cases_text(parse_config(raw, "test"), CATALOGUE.figure("fig07_width"))
     assert text == "latex, L/W = 2, t/W = 0.001: 10 strains from 0.02 to 0.2"
+
+
+def test_a_caption_begins_with_the_number_in_the_publication_if_there_is_one(study):
+    entry = CATALOGUE.figure("fig07_width")
+    assert figure_contents.caption_text(study, entry).startswith("Figure 7a. Arc width")
+    unnumbered = replace(entry, panel="")
+    assert figure_contents.caption_text(study, unnumbered) == entry.caption

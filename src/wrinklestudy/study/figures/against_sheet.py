@@ -1,4 +1,4 @@
-"""What Figs. 6a and 6b have in common: the largest amplitude of each sheet of a row of sheets."""
+"""The largest amplitude of each sheet of a row of sheets, against L/W or W/t."""
 
 from collections.abc import Callable
 
@@ -19,8 +19,8 @@ _COLUMN = "amplitude_over_thickness"
 def draw(inputs: Inputs, varied: int, number: Callable[[float], float], symbol: str) -> Figure:
     """Draw max A/t over strain against a number of the sheet, and the curves A/t beside it.
 
-    The maximum lies between the states (`summary.peak_row`). Measured data has the highest point of
-    each sheet that shares what is not varied.
+    The maximum lies between the states (`results.peaks.peak_row`). Measured data has the highest
+    point of each sheet that shares what is not varied.
 
     Parameters
     ----------

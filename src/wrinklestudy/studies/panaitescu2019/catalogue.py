@@ -1,0 +1,155 @@
+"""What this study shows: the figures of the paper that can be computed, its claims, its Table I."""
+
+from wrinklestudy.study.catalogue import Catalogue, FigureEntry, TableEntry
+from wrinklestudy.study.selections import (
+    compared_models,
+    figure_sheet,
+    same_aspect,
+    same_thickness,
+)
+
+_HERE = "wrinklestudy.studies.panaitescu2019"
+_MATERIAL, _WRINKLES = "1 Material", "2 Wrinkles"
+_SIZES, _FAR = "3 Aspect and thickness", "4 Far from threshold"
+
+_FIGURES = (
+    FigureEntry(
+        name="fig01_stress",
+        panel="1",
+        title="stress",
+        caption="Nominal stress over initial Young's modulus against strain: the fitted laws and "
+        "the measurements that they are fitted to.",
+        part=_MATERIAL,
+        module=f"{_HERE}.figures.fig01_stress",
+        materials=True,
+        measured=("stress",),
+    ),
+    FigureEntry(
+        name="fig02_sheet",
+        panel="2",
+        title="sheet from above",
+        caption="The sheet from above, lit from the side, in its true deformed shape.",
+        part=_WRINKLES,
+        module=f"{_HERE}.figures.fig02_sheet",
+        strains=(0.0, 0.1, 0.2, 0.32, 0.46),
+    ),
+    FigureEntry(
+        name="fig03_surface",
+        panel="3c",
+        title="surface",
+        caption="Deflection of the whole sheet in units of W.",
+        part=_WRINKLES,
+        module=f"{_HERE}.figures.fig03_surface",
+        strains=(0.06, 0.12),
+    ),
+    FigureEntry(
+        name="fig04_profiles",
+        panel="4b",
+        title="profiles",
+        caption="Deflection half-way between the clamps; each profile is shifted by its strain.",
+        part=_WRINKLES,
+        module=f"{_HERE}.figures.fig04_profiles",
+        strains="all",
+        measured=("profiles",),
+    ),
+    FigureEntry(
+        name="fig05_amplitude",
+        panel="5a",
+        title="amplitude",
+        caption="Amplitude over thickness against strain. Birth and decay of the wrinkles come "
+        "from the eigenproblem of the flat sheet.",
+        part=_WRINKLES,
+        module=f"{_HERE}.figures.fig05_amplitude",
+        sheets=compared_models,
+        measured=("amplitude", "profiles"),
+    ),
+    FigureEntry(
+        name="fig05_wavelength",
+        panel="5b",
+        title="wavelength",
+        caption="Wavelength over width against strain.",
+        part=_WRINKLES,
+        module=f"{_HERE}.figures.fig05_wavelength",
+        sheets=compared_models,
+        measured=("wavelength", "profiles"),
+    ),
+    FigureEntry(
+        name="fig06_aspect",
+        panel="6a",
+        title="amplitude against L/W",
+        caption="The largest amplitude over strain against L/W, and the amplitude curves.",
+        part=_SIZES,
+        module=f"{_HERE}.figures.fig06_aspect",
+        sheets=same_thickness,
+        measured=("amplitude", "profiles"),
+    ),
+    FigureEntry(
+        name="fig06_thickness",
+        panel="6b",
+        title="amplitude against W/t",
+        caption="The largest amplitude over strain against W/t, and the amplitude curves.",
+        part=_SIZES,
+        module=f"{_HERE}.figures.fig06_thickness",
+        sheets=same_aspect,
+        measured=("amplitude", "profiles"),
+    ),
+    FigureEntry(
+        name="fig07_width",
+        panel="7a",
+        title="width",
+        caption="Arc width half-way between the clamps against strain.",
+        part=_FAR,
+        module=f"{_HERE}.figures.fig07_width",
+        sheets=figure_sheet,
+    ),
+    FigureEntry(
+        name="fig07_confinement",
+        panel="7b",
+        title="confinement",
+        caption="Confinement, what the arc width exceeds the projected width by, against strain.",
+        part=_FAR,
+        module=f"{_HERE}.figures.fig07_confinement",
+        sheets=figure_sheet,
+        measured=("profiles",),
+    ),
+    FigureEntry(
+        name="fig07_slaving",
+        panel="7c",
+        title="slaving",
+        caption="Amplitude against wavelength times square root of the confinement; arrows point "
+        "along increasing strain.",
+        part=_FAR,
+        module=f"{_HERE}.figures.fig07_slaving",
+        sheets=figure_sheet,
+        measured=("profiles",),
+    ),
+    FigureEntry(
+        name="fig07_collapse",
+        panel="7d",
+        title="collapse",
+        caption="Amplitude against wavelength times square root of the confinement for every "
+        "aspect of the study.",
+        part=_FAR,
+        module=f"{_HERE}.figures.fig07_collapse",
+        sheets=same_thickness,
+        measured=("profiles",),
+    ),
+)
+
+CATALOGUE = Catalogue(
+    name="panaitescu2019",
+    title="Birth and decay of tensional wrinkles in hyperelastic sheets",
+    citation="A. Panaitescu, M. Xin, B. Davidovitch, J. Chopin, A. Kudrolli, Phys. Rev. E 100, "
+    "053003 (2019).",
+    figures=_FIGURES,
+    claims=f"{_HERE}.claims",
+    tables=(
+        TableEntry(
+            name="table1",
+            title="Table I with computed values",
+            caption="Table I of the paper with the computed values beside it.",
+            module=f"{_HERE}.table1",
+        ),
+    ),
+    tables_part="5 Tables and claims",
+)

@@ -1,0 +1,200 @@
+"""The catalogue of a study: its figures, claims and further tables, as data.
+
+A study is a package whose ``__init__`` defines one `Catalogue` under the name ``CATALOGUE``: one
+of `wrinklestudy.studies`, or a folder (or a single ``.py`` file) of the user. The catalogue names
+the modules that draw and judge; they are imported in the jobs that need them and not before.
+"""
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+from wrinklestudy.results.cases import NAME_PATTERN
+from wrinklestudy.study.selections import Sheets, no_sheets
+
+if TYPE_CHECKING:
+    from wrinklestudy.study.config import StudyConfig
+
+# Kinds of measured data: `study.measurements`.
+MEASURED_KINDS = ("stress", "amplitude", "wavelength", "profiles")
+
+
+@dataclass(frozen=True, kw_only=True)
+class FigureEntry:
+    """One figure of a study: how the report presents it and what it is drawn from.
+
+    Parameters
+    ----------
+    name : str
+        Name of its files.
+    title : str
+        What it shows, in a few words.
+    caption : str
+        What it shows, in a sentence; the report adds cases, meshes and measurements.
+    module : str
+        Module with ``draw(inputs)``, from `study.figures.inputs.Inputs` to a matplotlib figure.
+    panel : str
+        Number and panel of the figure in the publication, if there is one.
+    part : str
+        Part of the report that it belongs to.
+    sheets : callable
+        Gives the sheets of a config whose tables the figure is drawn from: `study.selections`.
+    strains : tuple of float or "all"
+        Strains of the figure sheet whose states are shown; the nearest ones that were computed.
+    measured : tuple of str
+        Kinds of measured data that are laid over it, out of `MEASURED_KINDS`.
+    materials : bool
+        Whether it compares the materials of the study.
+
+    Raises
+    ------
+    ValueError
+        If the name is no file name, or a kind of measured data is unknown.
+    """
+
+    name: str
+    title: str
+    caption: str
+    module: str
+    panel: str = ""
+    part: str = "Figures"
+    sheets: "Callable[[StudyConfig], Sheets]" = no_sheets
+    strains: tuple[float, ...] | Literal["all"] = ()
+    measured: tuple[str, ...] = ()
+    materials: bool = False
+
+    def __post_init__(self) -> None:
+        """Refuse what would fail only in a job."""
+        _check_name("figure", self.name)
+        for kind in self.measured:
+            if kind not in MEASURED_KINDS:
+                allowed = ", ".join(MEASURED_KINDS)
+                raise ValueError(f"figure {self.name!r}: measured = {kind!r}: allowed: {allowed}")
+
+    def strains_shown(self, available: Sequence[float]) -> list[float]:
+        """Return the strains whose states the figure shows, out of those that a study has.
+
+        For each strain wanted the nearest one of the study is taken, once; the figure is labelled
+        with what it shows. The undeformed sheet (strain 0) needs no state.
+
+        Parameters
+        ----------
+        available : sequence of float
+            Strains of the figure sheet.
+
+        Returns
+        -------
+        list of float
+            Increasing; empty if the figure shows no state.
+        """
+        if self.strains == "all":
+            return sorted(available)
+        tensile = [strain for strain in self.strains if strain > 0.0]
+        if not available:
+            return []
+        nearest = (min(available, key=lambda one: (abs(one - want), one)) for want in tensile)
+        return sorted(set(nearest))
+
+
+@dataclass(frozen=True, kw_only=True)
+class TableEntry:
+    """A further table that the claims stage writes.
+
+    Parameters
+    ----------
+    name : str
+        Name of its file.
+    title : str
+        Heading on the page of the claims.
+    caption : str
+        What it shows, for the report.
+    module : str
+        Module with ``table(study)``, from `study.claims.tables.StudyTables` to an `ExtraTable`.
+
+    Raises
+    ------
+    ValueError
+        If the name is no file name.
+    """
+
+    name: str
+    title: str
+    caption: str
+    module: str
+
+    def __post_init__(self) -> None:
+        """Refuse what would fail only in a job."""
+        _check_name("table", self.name)
+        if self.name == "claims":
+            raise ValueError("table 'claims': this is the name of the table of claims")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Catalogue:
+    """All that a study shows.
+
+    Parameters
+    ----------
+    name : str
+        Short name.
+    title : str
+        What the study is about, or the title of the publication that it follows.
+    citation : str
+        The publication, without its title; empty if there is none.
+    figures : tuple of FigureEntry
+        In the order of the report.
+    claims : str
+        Module with claims, or a package of such modules; empty without claims. Their order follows
+        from the claims themselves.
+    tables : tuple of TableEntry
+        Further tables.
+    tables_part : str
+        Part of the report for tables and claims.
+
+    Raises
+    ------
+    ValueError
+        If two figures or two tables have one name.
+    """
+
+    name: str
+    title: str
+    citation: str = ""
+    figures: tuple[FigureEntry, ...] = ()
+    claims: str = ""
+    tables: tuple[TableEntry, ...] = ()
+    tables_part: str = "Tables and claims"
+
+    def __post_init__(self) -> None:
+        """Refuse names that stand for two things."""
+        for kind, names in (
+            ("figure", self.figure_names),
+            ("table", tuple(entry.name for entry in self.tables)),
+        ):
+            twice = [name for name in dict.fromkeys(names) if names.count(name) > 1]
+            if twice:
+                raise ValueError(f"{kind} {twice[0]!r}: stands twice in the catalogue")
+
+    @property
+    def figure_names(self) -> tuple[str, ...]:
+        """The names of the figures, in order."""
+        return tuple(entry.name for entry in self.figures)
+
+    def figure(self, name: str) -> FigureEntry:
+        """Return the entry of a figure.
+
+        Raises
+        ------
+        ValueError
+            If there is no such figure.
+        """
+        for entry in self.figures:
+            if entry.name == name:
+                return entry
+        raise ValueError(f"figure {name!r}: must be one of {', '.join(self.figure_names)}")
+
+
+def _check_name(kind: str, name: str) -> None:
+    if re.fullmatch(NAME_PATTERN, name) is None:
+        raise ValueError(f"{kind} {name!r}: must be of lower-case letters, digits, '-' and '_'")

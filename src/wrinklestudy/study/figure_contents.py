@@ -1,0 +1,90 @@
+"""What each figure shows of a study, and how its caption says so."""
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from wrinklestudy.fem.grid import MeshSettings, cells
+from wrinklestudy.results.cases import Case, StudySheet, format_value
+from wrinklestudy.study.catalogue import FigureEntry
+from wrinklestudy.study.config import StudyConfig
+from wrinklestudy.study.selections import Sheets
+
+
+def materials_shown(study: StudyConfig, figure: FigureEntry) -> tuple[str, ...]:
+    """Return the names of the materials that a figure compares."""
+    return tuple(sorted(study.materials)) if figure.materials else ()
+
+
+def sheets_shown(study: StudyConfig, figure: FigureEntry) -> Sheets:
+    """Return the sheets whose tables a figure is drawn from."""
+    return figure.sheets(study)
+
+
+def states_shown(study: StudyConfig, figure: FigureEntry) -> tuple[Case, ...]:
+    """Return the states of the figure sheet that a figure shows."""
+    available = [case.strain for case in study.cases_of(study.figure_sheet)]
+    strains = figure.strains_shown(available)
+    return tuple(Case(study.figure_sheet, strain) for strain in strains)
+
+
+def measured(study: StudyConfig, figure: FigureEntry) -> list[str]:
+    """Return the files of the user's measurements that a figure overlays: those that exist."""
+    folder = Path(study.folders.experiment)
+    patterns = (
+        "profiles/*.csv" if kind == "profiles" else f"{kind}.csv" for kind in figure.measured
+    )
+    return sorted(path.as_posix() for pattern in patterns for path in folder.glob(pattern))
+
+
+def labels(figure: FigureEntry) -> dict[str, str]:
+    """Return how the report lists a figure."""
+    return {"figure": figure.panel, "shows": figure.title}
+
+
+def caption_text(_study: StudyConfig, figure: FigureEntry) -> str:
+    """Return the first sentence of a caption: number in the publication, if any, and content."""
+    return f"Figure {figure.panel}. {figure.caption}" if figure.panel else figure.caption
+
+
+def cases_text(study: StudyConfig, figure: FigureEntry) -> str:
+    """Return the cases or materials that a figure shows, for its caption."""
+    if figure.materials:
+        fits = (f"{name} ({one.law}, {one.data})" for name, one in study.materials.items())
+        return ", ".join(fits)
+    states = states_shown(study, figure)
+    shown = {study.figure_sheet: states} if states else {}
+    shown |= {sheet: study.cases_of(sheet) for sheet in sheets_shown(study, figure)}
+    return "; ".join(
+        f"{sheet.material}, {_size(sheet)}: {_strains_text([case.strain for case in cases])}"
+        for sheet, cases in shown.items()
+    )
+
+
+def mesh_text(study: StudyConfig, figure: FigureEntry) -> str:
+    """Return the meshes behind a figure, for its caption; empty if it shows no sheet."""
+    states = states_shown(study, figure)
+    shown = [*sheets_shown(study, figure), *(case.sheet for case in states)]
+    return "; ".join(
+        f"{along} x {across} cells on the quarter sheet for {', '.join(sizes)}"
+        for (along, across), sizes in _meshes(study, shown).items()
+    )
+
+
+def _meshes(study: StudyConfig, sheets: Iterable[StudySheet]) -> dict[tuple[int, int], list[str]]:
+    settings = MeshSettings(**study.settings("mesh"))
+    sizes_by_mesh: dict[tuple[int, int], list[str]] = {}
+    for sheet in sheets:
+        sizes = sizes_by_mesh.setdefault(cells(sheet.aspect, sheet.resolved, settings), [])
+        sizes += [_size(sheet)] if _size(sheet) not in sizes else []
+    return sizes_by_mesh
+
+
+def _size(sheet: StudySheet) -> str:
+    return f"L/W = {format_value(sheet.aspect)}, t/W = {format_value(sheet.thickness)}"
+
+
+def _strains_text(strains: list[float]) -> str:
+    texts = list(map(format_value, strains))
+    if len(texts) < 8:
+        return f"strain {', '.join(texts)}"
+    return f"{len(texts)} strains from {texts[0]} to {texts[-1]}"
