@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from wrinklestudy.results.table import CASE, COLUMNS, STABILITY_COLUMNS, read_states, write_table
 
 from wrinklestudy.results.peaks import PEAK_COLUMNS, peak_row
-from wrinklestudy.results.table import CASE, COLUMNS, STABILITY_COLUMNS, read_states, write_table
 from wrinklestudy.stages import summary
 
 TEXTS = ("latex", "mooney-rivlin", "thinning", "antisymmetric")

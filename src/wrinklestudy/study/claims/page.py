@@ -5,9 +5,9 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from html import escape
 
+from wrinklestudy.results.sheets import SheetStates
 from wrinklestudy.studies.panaitescu2019.table1 import TENSION_FIELD, Table1Row
 from wrinklestudy.study.claims.finding import VERDICTS, Claim, Finding, Verdict
-from wrinklestudy.study.claims.sheet import SheetStates
 from wrinklestudy.study.claims.tables import StudyTables
 
 _CLASSES: dict[Verdict, str] = {

@@ -3,9 +3,9 @@
 import numpy as np
 import pandas as pd
 import pytest
+from wrinklestudy.results.table import CASE, COLUMNS, measure_state
 
 from wrinklestudy.results.files import write_h5
-from wrinklestudy.results.table import CASE, COLUMNS, measure_state
 from wrinklestudy.stages import metrics
 
 GRID_X, GRID_Y = np.linspace(0.0, 1.0, 9), np.linspace(0.0, 0.5, 25)
