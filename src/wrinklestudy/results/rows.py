@@ -261,11 +261,13 @@ def checked(column: Column, value: Any, where: str) -> Cell:
         return None
     if column.kind is str and isinstance(value, str) and value in (column.allowed or (value,)):
         return value
-    if column.kind is float and isinstance(value, int | float | np.integer | np.floating):
-        return float(value)
-    if column.kind is int and isinstance(value, int | np.integer):
-        return int(value)
-    raise ValueError(f"{where}: {column.name} = {value!r}: must be {allowed_text(column)}")
+    if not isinstance(value, bool):
+        if column.kind is float and isinstance(value, int | float | np.integer | np.floating):
+            return float(value)
+        if column.kind is int and isinstance(value, int | np.integer):
+            return int(value)
+    what = "is empty" if value is None else f"= {value!r}"
+    raise ValueError(f"{where}: {column.name} {what}: must be {allowed_text(column)}")
 
 
 def allowed_text(column: Column) -> str:

@@ -131,6 +131,7 @@ def _texts(path: AnyPath) -> "pd.DataFrame":
             dtype=str,
             na_filter=False,
             skip_blank_lines=False,
+            lineterminator="\n",
             encoding="utf-8",
         )
     except (pd.errors.ParserError, pd.errors.EmptyDataError, UnicodeDecodeError) as error:
