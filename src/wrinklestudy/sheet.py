@@ -14,9 +14,7 @@ from wrinklestudy.results.cases import resolved_thickness
 from wrinklestudy.results.fields import state_row
 from wrinklestudy.results.rows import StateRow, columns
 from wrinklestudy.results.states import unmeasured, with_measures
-from wrinklestudy.vocabulary import BENDING_LAWS, Bending, Parity
-
-PARITIES = ("antisymmetric", "symmetric")
+from wrinklestudy.vocabulary import BENDING_LAWS, PARITIES, Bending, Parity
 
 
 @dataclass(frozen=True)

@@ -14,10 +14,8 @@ from typing import Any, TypeVar, get_args, get_type_hints
 
 import numpy as np
 
-from wrinklestudy.typing import AnyPath
+from wrinklestudy.typing import AnyPath, Cell
 from wrinklestudy.vocabulary import STATUSES, Status
-
-Cell = str | int | float | None
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,8 @@
 
 One header line, one line per row. Numbers have all their digits and whole numbers no point, an
 empty cell means that there is no such number, and a text is what it is, even if it looks like a
-number. The same rows give the same bytes, whatever their order.
+number; only a carriage return, which ends a line as a line feed does, has no place in it. The same
+rows give the same bytes, whatever their order.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -11,7 +12,6 @@ from typing import TYPE_CHECKING, Any
 
 from wrinklestudy.results.files import atomic_path
 from wrinklestudy.results.rows import (
-    Cell,
     Column,
     Limits,
     SheetIdentity,
@@ -22,7 +22,7 @@ from wrinklestudy.results.rows import (
     columns,
     key_text,
 )
-from wrinklestudy.typing import AnyPath
+from wrinklestudy.typing import AnyPath, Cell
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -131,7 +131,6 @@ def _texts(path: AnyPath) -> "pd.DataFrame":
             dtype=str,
             na_filter=False,
             skip_blank_lines=False,
-            lineterminator="\n",
             encoding="utf-8",
         )
     except (pd.errors.ParserError, pd.errors.EmptyDataError, UnicodeDecodeError) as error:
