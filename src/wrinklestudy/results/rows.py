@@ -209,12 +209,12 @@ def columns(kind: type[Any]) -> Mapping[str, Column]:
 @cache
 def _columns(kind: type[Any]) -> Mapping[str, Column]:
     hints = get_type_hints(kind)
-    found = {}
-    for one in fields(kind):
-        types = get_args(hints[one.name]) or (hints[one.name],)
+    by_name = {}
+    for item in fields(kind):
+        types = get_args(hints[item.name]) or (hints[item.name],)
         basic = next((basic for basic in (int, float) if basic in types), str)
-        found[one.name] = Column(one.name, basic, type(None) in types, **one.metadata)
-    return found
+        by_name[item.name] = Column(item.name, basic, type(None) in types, **item.metadata)
+    return by_name
 
 
 def make_row(kind: type[RowType], values: Mapping[str, Any], where: str, what: str) -> RowType:

@@ -128,7 +128,7 @@ class SheetStates:
 
     def of_status(self, status: Status) -> Mask:
         """Return which states have a status."""
-        return np.array([one == status for one in self.status], dtype=np.bool_)
+        return np.array([row.status == status for row in self.states], dtype=np.bool_)
 
     @property
     def wrinkles(self) -> bool:
