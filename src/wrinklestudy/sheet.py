@@ -5,15 +5,16 @@ from functools import cached_property
 from time import perf_counter
 from typing import Any
 
-from wrinklestudy.equilibrium import newton, planar, stability, wrinkled
+from wrinklestudy.equilibrium import planar, stability, wrinkled
 from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics.laws import Material
 from wrinklestudy.metrics.measure import Measures, measure_position
 from wrinklestudy.results.cases import resolved_thickness
-from wrinklestudy.vocabulary import BENDING_LAWS, Bending, Parity
-
-PARITIES = ("antisymmetric", "symmetric")
+from wrinklestudy.results.fields import state_row
+from wrinklestudy.results.rows import StateRow, columns
+from wrinklestudy.results.states import unmeasured, with_measures
+from wrinklestudy.vocabulary import BENDING_LAWS, PARITIES, Bending, Parity
 
 
 @dataclass(frozen=True)
@@ -41,46 +42,20 @@ class State:
         """'wrinkled', 'flat' or 'not-converged'."""
         return self.equilibrium.status
 
+    def row(self) -> StateRow:
+        """Return the state as a row of the tables, without what is measured beside x = 0."""
+        row = state_row(self.equilibrium)
+        return unmeasured(row) if self.measures is None else with_measures(row, self.measures)
+
     def as_dict(self) -> dict[str, Any]:
-        """Return the numbers of the state as plain values, None where there is none."""
-        state = self.equilibrium
-        material, thickness = state.planar.material, state.thickness
-        row: dict[str, Any] = {"strain": self.strain, "status": state.status}
-        if self.measures is not None:
-            m = self.measures
-            row |= {
-                "amplitude_over_thickness": m.amplitude / thickness,
-                "wavelength_over_width": m.wavelength,
-                "arc_width_over_width": m.arc_width,
-                "projected_width_over_width": m.projected_width,
-                "phi_squared": m.phi_squared,
-                "phi_squared_central": m.phi_squared_central,
-                "shape_constant": m.shape_constant,
-                "shape_constant_central": m.shape_constant_central,
-                "nominal_stress_pa": state.nominal_stress * material.shear_modulus,
-            }
-        else:
-            row |= dict.fromkeys(_MEASURED)
-        return row | {
-            "unstable_directions": state.unstable_directions,
-            "newton_iterations": newton.count(state.history),
-            "residual": state.residual,
-            "reason": state.reason,
-            "seconds": self.seconds,
-        }
+        """Return the numbers of the state as plain values, None where there is none.
 
-
-_MEASURED = (
-    "amplitude_over_thickness",
-    "wavelength_over_width",
-    "arc_width_over_width",
-    "projected_width_over_width",
-    "phi_squared",
-    "phi_squared_central",
-    "shape_constant",
-    "shape_constant_central",
-    "nominal_stress_pa",
-)
+        The keys are the columns of `results.rows.StateRow` that ``solve --json`` shows, then
+        ``seconds``.
+        """
+        row = self.row()
+        shown = [column.name for column in columns(StateRow).values() if column.shown]
+        return {name: getattr(row, name) for name in shown} | {"seconds": self.seconds}
 
 
 @dataclass(frozen=True)

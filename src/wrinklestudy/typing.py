@@ -9,3 +9,4 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Mask = NDArray[np.bool_]
 AnyPath = str | PathLike[str]
+Cell = str | int | float | None

@@ -6,9 +6,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from made_up_rows import limits_row, state_row
 
 from wrinklestudy.results.files import write_h5
-from wrinklestudy.results.table import CASE, COLUMNS, write_table
+from wrinklestudy.results.tables import write_states
 from wrinklestudy.study.figures.inputs import Inputs
 
 STRAINS = (0.02, 0.06, 0.1, 0.12, 0.2, 0.32, 0.36, 0.46)
@@ -43,31 +44,32 @@ class MadeUp:
             return "not-converged"
         return "wrinkled" if self.birth and self.birth < strain < self.decay else "flat"
 
+    @property
+    def identity(self):
+        names = ("material", "law", "bending", "aspect", "thickness")
+        return {name: getattr(self, name) for name in names}
+
     def row(self, strain):
-        row = dict.fromkeys(COLUMNS) | {name: getattr(self, name) for name in CASE[:3]}
-        row |= {"parity": "antisymmetric", "aspect": self.aspect, "thickness": self.thickness}
-        row |= {"strain": strain, "status": self.status(strain), "cells_along": 6}
-        width = (1.0 + strain) ** -0.5
-        if row["status"] == "flat":
+        status, width = self.status(strain), (1.0 + strain) ** -0.5
+        values = {}
+        if status == "flat":
             zeros = ("amplitude_over_thickness", "phi_squared", "phi_squared_central")
-            row |= dict.fromkeys(zeros, 0.0) | {"arc_width_over_width": width}
-        if row["status"] == "wrinkled":
+            values = dict.fromkeys(zeros, 0.0) | {"arc_width_over_width": width}
+        if status == "wrinkled":
             amplitude, wavelength = self.amplitude(strain), 0.14 - 0.1 * strain
             phi_squared = (amplitude * self.thickness / (0.7 * wavelength)) ** 2
-            row |= {"amplitude_over_thickness": amplitude, "wavelength_over_width": wavelength}
-            row |= {"phi_squared": phi_squared, "phi_squared_central": 4.0 * phi_squared}
-            row |= {"arc_width_over_width": width}
-        return row
+            values = {"amplitude_over_thickness": amplitude, "wavelength_over_width": wavelength}
+            values |= {"phi_squared": phi_squared, "phi_squared_central": 4.0 * phi_squared}
+            values |= {"arc_width_over_width": width}
+        return state_row(strain, status, **self.identity, **values)
 
     def write(self, folder, strains=STRAINS):
         """Write table and stability file and return their paths."""
         stem = f"{self.material}{self.aspect:g}_{self.thickness:g}"
         table, limits = folder / f"{stem}.csv", folder / f"{stem}.json"
-        write_table([self.row(strain) for strain in strains], COLUMNS, (*CASE, "strain"), table)
-        case = {name: self.row(strains[0])[name] for name in CASE}
-        ends = {"birth_strain": self.birth, "decay_strain": self.decay}
-        rest = {"max_critical_thickness": 1.5e-3, "strain_at_max": 0.1}
-        limits.write_text(json.dumps(case | ends | rest))
+        write_states([self.row(strain) for strain in strains], table)
+        row = limits_row(self.birth, self.decay, max_critical_thickness=1.5e-3, **self.identity)
+        limits.write_text(json.dumps(vars(row)))
         return table, limits
 
     def position(self, strain):
@@ -87,11 +89,10 @@ class MadeUp:
         return field
 
     def write_state(self, folder, strain):
-        """Write what the figures need of a wrinkle file and return its path."""
+        """Write a wrinkle file without history and return its path."""
         path = folder / f"{self.material}{strain}.h5"
         datasets = {"grid/x": GRID_X, "grid/y": GRID_Y, "position": self.position(strain)}
-        row = self.row(strain)
-        write_h5(path, datasets, {name: row[name] for name in (*CASE, "strain", "status")})
+        write_h5(path, datasets, vars(self.row(strain)))
         return path
 
 

@@ -1,10 +1,12 @@
 """A made-up study of sheets as the paper describes them, for the tests of the claims."""
 
 import numpy as np
+from made_up_rows import limits_row, state_row
 
 from wrinklestudy.material.result import Fit
+from wrinklestudy.results.rows import SheetRow
+from wrinklestudy.results.sheets import SheetStates
 from wrinklestudy.studies.panaitescu2019 import theory
-from wrinklestudy.study.claims.sheet import SheetStates
 from wrinklestudy.study.claims.tables import FittedMaterial, StudyTables
 
 STRAIN = np.round(np.arange(0.02, 0.501, 0.02), 12)
@@ -90,23 +92,36 @@ def sheet(
         "sheet_amplitude_x_over_length": np.where(on, 0.0, np.nan),
         "sheet_amplitude_y_over_width": np.where(on, 0.03, np.nan),
     } | {name: np.broadcast_to(value, STRAIN.shape) for name, value in columns.items()}
-    height, phi = table["amplitude_over_thickness"], table["phi_squared"]
-    return SheetStates(
-        *(material, law, bending, parity, aspect, thickness),
-        status=tuple("wrinkled" if one else "flat" for one in on),
-        columns=table,
-        reasons=("",) * len(STRAIN),
-        birth=limits[0] if limits else birth,
-        decay=limits[1] if limits else decay,
+    identity = {"material": material, "law": law, "bending": bending, "parity": parity}
+    identity |= {"aspect": aspect, "thickness": thickness}
+    rows = [dict(zip(table, numbers, strict=True)) for numbers in zip(*table.values(), strict=True)]
+    states = tuple(
+        state_row(**identity, status="wrinkled" if wrinkled else "flat", **numbers)
+        for wrinkled, numbers in zip(on, rows, strict=True)
+    )
+    row = limits_row(
+        *(limits or (birth, decay)),
+        **identity,
         max_critical_thickness=critical if not never else min(critical, 0.9 * thickness),
         strain_at_max=0.12,
-        peak={
-            "max_amplitude_over_thickness": float(height.max()),
-            "strain_at_max_amplitude": np.nan if never else float(STRAIN[np.argmax(height)]),
-            "max_phi_squared": float(phi.max()),
-            "strain_at_max_phi_squared": np.nan if never else float(STRAIN[np.argmax(phi)]),
-        },
     )
+    return SheetStates(SheetRow(**vars(row), **reached(table, never), **COUNTS), states)
+
+
+COUNTS = {"wrinkled": 0, "flat": 0, "not_converged": 0, "cells_along": 6, "cells_across": 12}
+
+
+def reached(table, never):
+    """Return the largest samples of a sheet and where they are."""
+    height, phi = table["amplitude_over_thickness"], table["phi_squared"]
+    wavelengths = ("wavelength_over_width_at_max_amplitude",)
+    wavelengths += ("min_wavelength_over_width", "max_wavelength_over_width")
+    return dict.fromkeys(wavelengths) | {
+        "max_amplitude_over_thickness": float(height.max()),
+        "strain_at_max_amplitude": None if never else float(STRAIN[np.argmax(height)]),
+        "max_phi_squared": float(phi.max()),
+        "strain_at_max_phi_squared": None if never else float(STRAIN[np.argmax(phi)]),
+    }
 
 
 SHEETS = {

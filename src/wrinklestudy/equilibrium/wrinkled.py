@@ -6,7 +6,6 @@ residual is small, the tangent positive definite and the energy below that of th
 """
 
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 
@@ -17,8 +16,7 @@ from wrinklestudy.equilibrium.planar import Planar
 from wrinklestudy.equilibrium.problem import PlateProblem, Predicting
 from wrinklestudy.equilibrium.seeds import seed_position, seeds
 from wrinklestudy.typing import Array
-
-Status = Literal["wrinkled", "flat", "not-converged"]
+from wrinklestudy.vocabulary import Status
 
 # Steps with a predicted tangent lead along narrow valleys of the energy, a little up their walls.
 _RISE = 10.0

@@ -1,5 +1,7 @@
 """HDF5 files of flat and wrinkled states; fields are in the layout of the grid."""
 
+import math
+from os import fspath
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +17,8 @@ from wrinklestudy.fem.grid import Grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics import laws
 from wrinklestudy.results.files import read_h5, write_h5
+from wrinklestudy.results.rows import StateRow, columns, make_row
+from wrinklestudy.typing import AnyPath
 
 
 def write_planar(planar: Planar, output: Path | str) -> None:
@@ -80,24 +84,21 @@ def read_planar(path: Path | str) -> Planar:
     return Planar(grid, material, name, strain, settings, flat, modes)
 
 
-def write_wrinkle(state: Equilibrium, output: Path | str) -> None:
-    """Write a state as an HDF5 file; the position is in the layout of the grid."""
+def state_row(state: Equilibrium) -> StateRow:
+    """Return the row of a state without what is measured on its shape.
+
+    Where it did not converge, the numbers are those of the last iterate.
+    """
     planar = state.planar
-    datasets: dict[str, Any] = {"grid/x": planar.grid.x, "grid/y": planar.grid.y}
     flat, modes = planar.flat, planar.modes
-    if state.position is not None and flat is not None:
-        datasets["position"] = flat.space.nodes_from_field(state.position)
-    datasets["history"] = np.array(state.history).reshape(-1, len(newton.Iteration._fields))
     along, across = planar.grid.cells
-    nan = float("nan")
-    width = nan if flat is None else 2.0 * flat.space.nodes_from_field(flat.position)[1, 0, 0, -1]
-    attrs = {
-        "units": "lengths in W, stresses in the initial shear modulus mu, energies in mu W^3",
+    width = None
+    if flat is not None:
+        width = 2.0 * flat.space.nodes_from_field(flat.position)[1, 0, 0, -1]
+    measured = [column.name for column in columns(StateRow).values() if column.measured]
+    values = dict.fromkeys(measured) | {
         "material": planar.name,
-        **laws.describe(planar.material),
-        "shear_modulus_pa": planar.material.shear_modulus,
-        "young_modulus_pa": planar.material.young_modulus,
-        "poisson": planar.material.law.poisson,
+        "law": laws.describe(planar.material)["law"],
         "bending": planar.settings.bending,
         "parity": planar.settings.parity,
         "aspect": planar.grid.aspect,
@@ -105,17 +106,59 @@ def write_wrinkle(state: Equilibrium, output: Path | str) -> None:
         "strain": planar.strain,
         "status": state.status,
         "reason": state.reason,
+        "planar_width_over_width": width,
+        "nominal_stress_pa": state.nominal_stress * planar.material.shear_modulus,
+        "young_modulus_pa": planar.material.young_modulus,
         "energy": state.energy,
         "flat_energy": state.flat_energy,
-        "nominal_stress": state.nominal_stress,
-        "nominal_stress_pa": state.nominal_stress * planar.material.shear_modulus,
-        "critical_thickness": nan if modes is None else modes.critical_thickness,
-        "planar_width_over_width": width,
+        "critical_thickness": None if modes is None else modes.critical_thickness,
         "unstable_directions": state.unstable_directions,
         "newton_iterations": newton.count(state.history),
         "residual": state.residual,
-        "history_columns": list(newton.Iteration._fields),
         "cells_along": along,
         "cells_across": across,
     }
+    return make_row(StateRow, values, "state", "row")
+
+
+def write_wrinkle(state: Equilibrium, output: Path | str) -> None:
+    """Write a state as an HDF5 file; the position is in the layout of the grid.
+
+    The attributes are the columns of its row that are not measured on the shape, NaN where there is
+    no number, and what else tells the material and the solve.
+    """
+    planar = state.planar
+    datasets: dict[str, Any] = {"grid/x": planar.grid.x, "grid/y": planar.grid.y}
+    if state.position is not None and planar.flat is not None:
+        datasets["position"] = planar.flat.space.nodes_from_field(state.position)
+    datasets["history"] = np.array(state.history).reshape(-1, len(newton.Iteration._fields))
+    row = vars(state_row(state))
+    attrs = {
+        "units": "lengths in W, stresses in the initial shear modulus mu, energies in mu W^3",
+        **laws.describe(planar.material),
+        "shear_modulus_pa": planar.material.shear_modulus,
+        "poisson": planar.material.law.poisson,
+        "nominal_stress": state.nominal_stress,
+        "history_columns": list(newton.Iteration._fields),
+        **{name: math.nan if row[name] is None else row[name] for name in _attributes()},
+    }
     write_h5(output, datasets, attrs)
+
+
+def read_wrinkle(path: AnyPath) -> tuple[StateRow, dict[str, Any]]:
+    """Return the row of a wrinkle file, without what is measured on its shape, and its arrays.
+
+    Raises
+    ------
+    ValueError
+        If the file lacks an attribute or one is not what its column allows; one line that names
+        the file.
+    """
+    datasets, attrs = read_h5(path)
+    measured = dict.fromkeys(columns(StateRow).keys() - _attributes())
+    return make_row(StateRow, attrs | measured, fspath(path), "wrinkle file"), datasets
+
+
+def _attributes() -> list[str]:
+    """Return the columns of a state that are attributes of its file."""
+    return [column.name for column in columns(StateRow).values() if not column.measured]

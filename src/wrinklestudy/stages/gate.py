@@ -1,13 +1,13 @@
 """Gate stage: the last word on a finished study, whether enough of its cases converged."""
 
-import csv
 from collections import Counter
 from os import fspath
 
 from wrinklestudy.results.files import write_json
+from wrinklestudy.results.tables import read_states
 from wrinklestudy.typing import AnyPath
 
-_CASE = ("material", "aspect", "thickness", "strain")
+_NAMED = ("material", "aspect", "thickness", "strain")
 _SHOWN = 5
 
 
@@ -33,16 +33,18 @@ def run(states: AnyPath, allow_not_converged: int, study: str, output: AnyPath) 
     ------
     GateError
         If there are more; the message names the first of them. Nothing is written.
+    ValueError
+        If the table lacks a column or a cell is not what its column allows.
     """
-    with open(states, newline="", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    failed = [row for row in rows if row["status"] == "not-converged"]
+    rows = read_states(states)
+    failed = [row for row in rows if row.status == "not-converged"]
     if len(failed) > allow_not_converged:
-        shown = [" ".join(f"{key}={row[key]}" for key in _CASE) for row in failed[:_SHOWN]]
+        shown = [" ".join(f"{name}={getattr(row, name)}" for name in _NAMED) for row in failed]
+        shown = shown[:_SHOWN]
         more = ["..."] if len(failed) > _SHOWN else []
         raise GateError(
             f"{fspath(states)}: {len(failed)} of {len(rows)} cases have not converged "
             f"(gate.allow_not_converged = {allow_not_converged}): {'; '.join(shown + more)}"
         )
-    by_status = Counter(row["status"] for row in rows)
+    by_status = Counter(row.status for row in rows)
     write_json(output, {"cases": len(rows), "by_status": by_status, "study": study})

@@ -2,7 +2,9 @@
 
 from collections.abc import Sequence
 
-from wrinklestudy.results.table import CASE, COLUMNS, measure_state, refuse_twins, write_table
+from wrinklestudy.results.rows import refuse_twins
+from wrinklestudy.results.states import measure_state
+from wrinklestudy.results.tables import write_states
 from wrinklestudy.typing import AnyPath
 
 
@@ -18,14 +20,13 @@ def run(wrinkle: Sequence[AnyPath], output: AnyPath) -> None:
     wrinkle : sequence of path-like
         Files of the wrinkle stage.
     output : path-like
-        CSV file to write.
+        CSV file to write, columns of `results.rows.StateRow`.
 
     Raises
     ------
     ValueError
         If a file lacks something or two files hold the same case; one line that names the file.
     """
-    key = (*CASE, "strain")
     states = [measure_state(path) for path in wrinkle]
-    refuse_twins(states, key, wrinkle)
-    write_table(states, COLUMNS, key, output)
+    refuse_twins(states, wrinkle)
+    write_states(states, output)

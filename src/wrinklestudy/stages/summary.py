@@ -1,23 +1,15 @@
 """Summary stage: the tables of the whole study, put together from those of its sheets.
 
-Three plain CSV files: all states (columns `metrics.table.COLUMNS`), birth and decay of all sheets
-(`metrics.table.STABILITY_COLUMNS`) and the peak of each sheet over strain (`PEAK_COLUMNS`).
+Three plain CSV files: all states, birth and decay of all sheets, and the peak of each sheet over
+strain; their columns are those of `results.rows`.
 """
 
-from collections import defaultdict
 from collections.abc import Mapping, Sequence
-from typing import Any
 
-from wrinklestudy.results.peaks import PEAK_COLUMNS, Row, peak_row
-from wrinklestudy.results.table import (
-    CASE,
-    COLUMNS,
-    STABILITY_COLUMNS,
-    read_states,
-    refuse_twins,
-    stability_row,
-    write_table,
-)
+from wrinklestudy.results.load import by_sheet, read_limits
+from wrinklestudy.results.peaks import sheet_row
+from wrinklestudy.results.rows import key_text, refuse_twins
+from wrinklestudy.results.tables import read_states, write_peaks, write_stability, write_states
 from wrinklestudy.typing import AnyPath
 
 
@@ -43,28 +35,17 @@ def run(
         If a file lacks something, two files hold the same case, or a sheet has states and no
         stability file or the other way round; one line that names the file or the sheet.
     """
-    found = [(row, path) for path in metrics for row in read_states(path)]
-    states = [row for row, _ in found]
-    refuse_twins(states, (*CASE, "strain"), [path for _, path in found])
-    limits = [stability_row(path) for path in stability]
-    refuse_twins(limits, CASE, stability)
-    peaks = [peak_row(limit, rows) for limit, rows in _paired(limits, states)]
-    write_table(states, COLUMNS, (*CASE, "strain"), output["states"])
-    write_table(limits, STABILITY_COLUMNS, CASE, output["stability"])
-    write_table(peaks, PEAK_COLUMNS, CASE, output["peaks"])
-
-
-def _paired(limits: Sequence[Row], states: Sequence[Row]) -> list[tuple[Row, list[Row]]]:
-    """Return each sheet of the stability stage with its states by strain."""
-    found: dict[tuple[Any, ...], list[Row]] = defaultdict(list)
-    for row in sorted(states, key=lambda row: row["strain"]):
-        found[_case(row)].append(row)
-    wanted = {_case(limit): limit for limit in limits}
-    for case in sorted(found.keys() ^ wanted.keys()):
-        lacks = "stability file" if case in found else "states"
-        raise ValueError(f"sheet {', '.join(map(str, case))}: has no {lacks}")
-    return [(limit, found[case]) for case, limit in wanted.items()]
-
-
-def _case(row: Row) -> tuple[Any, ...]:
-    return tuple(row[name] for name in CASE)
+    tables = [(path, read_states(path)) for path in metrics]
+    states = [row for _, rows in tables for row in rows]
+    refuse_twins(states, [path for path, rows in tables for _ in rows])
+    limits = [read_limits(path) for path in stability]
+    refuse_twins(limits, stability)
+    grouped = by_sheet(states)
+    known = {row.sheet_key for row in limits}
+    for sheet in sorted(grouped.keys() ^ known):
+        lacks = "stability file" if sheet in grouped else "states"
+        raise ValueError(f"sheet {key_text(sheet)}: has no {lacks}")
+    sheets = [sheet_row(row, grouped[row.sheet_key]) for row in limits]
+    write_states(states, output["states"])
+    write_stability(sheets, output["stability"])
+    write_peaks(sheets, output["peaks"])

@@ -4,26 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from made_up_study import MATERIALS, STRAIN, material, shape, sheet, world
+from made_up_study import MATERIALS, material, sheet, world
 
 from wrinklestudy.studies.panaitescu2019 import table1
 from wrinklestudy.studies.panaitescu2019.claims import confinement
 from wrinklestudy.study.claims.finding import Finding, verdict_across
-from wrinklestudy.study.claims.sheet import MissingError
-
-
-def test_nothing_is_interpolated_across_a_state_that_did_not_converge():
-    one = sheet()
-    assert one.at("phi_squared", 0.11) == pytest.approx(
-        1.25e-3 * shape(0.11, 0.025, 0.06, 0.4), rel=1e-3
-    )
-    assert one.at("phi_squared", 0.45) == one.at("phi_squared", 0.005) == 0.0
-    status = list(one.status)
-    status[list(STRAIN).index(0.12)] = "not-converged"
-    with pytest.raises(MissingError, match=r"phi_squared at strain 0.11 of latex"):
-        replace(one, status=tuple(status)).at("phi_squared", 0.11)
-    with pytest.raises(MissingError, match=r"wavelength_over_width at strain 0.5"):
-        one.at("wavelength_over_width", 0.5)
 
 
 def test_a_model_of_other_rubber_is_left_alone():

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from wrinklestudy.results.sheets import MissingError
 from wrinklestudy.studies.panaitescu2019 import theory
 from wrinklestudy.study.claims.extra_table import ExtraTable
-from wrinklestudy.study.claims.sheet import MissingError
 from wrinklestudy.study.claims.tables import StudyTables
 from wrinklestudy.typing import Array
 

@@ -7,7 +7,7 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from wrinklestudy.study.claims.sheet import MissingError, SheetStates
+from wrinklestudy.results.sheets import MissingError, SheetStates
 from wrinklestudy.study.claims.tables import StudyTables
 from wrinklestudy.typing import Array
 

@@ -5,10 +5,10 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from html import escape
 
+from wrinklestudy.results.sheets import SheetStates
 from wrinklestudy.study.catalogue import Catalogue
 from wrinklestudy.study.claims.extra_table import ExtraTable
 from wrinklestudy.study.claims.finding import VERDICTS, Claim, Finding, Verdict
-from wrinklestudy.study.claims.sheet import SheetStates
 from wrinklestudy.study.claims.tables import StudyTables
 
 _CLASSES: dict[Verdict, str] = {

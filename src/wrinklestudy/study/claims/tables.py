@@ -1,9 +1,6 @@
 """The study as the claims see it: its sheets and materials, read from the tables."""
 
-import csv
-import math
-from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from os import fspath
 from typing import Any
@@ -13,17 +10,12 @@ import numpy as np
 from wrinklestudy.material.result import Fit
 from wrinklestudy.results.files import read_json
 from wrinklestudy.results.materials import load_fit
-from wrinklestudy.results.peaks import PEAK_COLUMNS
-from wrinklestudy.results.table import CASE, COLUMNS, STABILITY_COLUMNS
-from wrinklestudy.study.claims.sheet import MissingError, SheetStates, attribute_text
+from wrinklestudy.results.rows import SheetIdentity, columns
+from wrinklestudy.results.sheets import MissingError, SheetStates
 from wrinklestudy.typing import AnyPath
 
-Key = tuple[str, str, str, str, float, float]
-Row = Mapping[str, Any]
-
-_TEXTS = ("material", "law", "bending", "parity", "status", "reason")
-_NUMBERS = tuple(name for name in COLUMNS if name not in _TEXTS)
-_ATTRIBUTES = ("law", "bending", "parity", "aspect", "thickness")
+_ATTRIBUTES = tuple(name for name in columns(SheetIdentity) if name != "material")
+_SYMBOLS = {"aspect": "L/W", "thickness": "t/W"}
 # Models of one material have the same initial modulus up to rounding
 _SAME_MODULUS = 1e-9
 
@@ -129,7 +121,7 @@ class StudyTables:
         """
         found = self.select(**fixed)
         if not found:
-            which = ", ".join(attribute_text(name, value) for name, value in fixed.items())
+            which = ", ".join(_attribute_text(name, value) for name, value in fixed.items())
             raise MissingError(f"a sheet like {self.sheet.label} but {which}")
         return found[0]
 
@@ -184,16 +176,12 @@ def load(
     Raises
     ------
     ValueError
-        If a column is missing or a cell is no number; one line that names the file.
+        If a column is missing, a cell is not what its column allows, or a sheet does not stand in
+        all three tables; one line that names the file.
     """
-    rows: dict[Key, list[Row]] = defaultdict(list)
-    for row in _read(states, COLUMNS):
-        rows[_key(row)].append(row)
-    limits = {_key(row): row for row in _read(stability, STABILITY_COLUMNS)}
-    highest = {_key(row): row for row in _read(peaks, PEAK_COLUMNS)}
-    sheets = [
-        _sheet(key, rows[key], limits.get(key, {}), highest.get(key, {})) for key in sorted(rows)
-    ]
+    from wrinklestudy.results.load import load_study
+
+    sheets = load_study(states, stability, peaks)
     name, aspect, thickness = sheet
     loaded = tuple(
         FittedMaterial(_name(path), load_fit(fspath(path)), read_json(path).get("source_note", ""))
@@ -209,39 +197,7 @@ def _name(path: AnyPath) -> str:
     return str(content["name"])
 
 
-def _sheet(key: Key, rows: list[Row], limit: Row, peak: Row) -> SheetStates:
-    rows = sorted(rows, key=lambda row: row["strain"])
-    return SheetStates(
-        *key,
-        status=tuple(row["status"] for row in rows),
-        columns={name: np.array([row[name] for row in rows], dtype=float) for name in _NUMBERS},
-        reasons=tuple(row["reason"] for row in rows),
-        birth=limit.get("birth_strain", math.nan),
-        decay=limit.get("decay_strain", math.nan),
-        max_critical_thickness=limit.get("max_critical_thickness", math.nan),
-        strain_at_max=limit.get("strain_at_max", math.nan),
-        peak={name: value for name, value in peak.items() if name not in CASE},
-    )
-
-
-def _key(row: Row) -> Key:
-    material, law, bending, parity, aspect, thickness = (row[name] for name in CASE)
-    return material, law, bending, parity, aspect, thickness
-
-
-def _read(path: AnyPath, columns: Mapping[str, str]) -> list[dict[str, Any]]:
-    with open(path, newline="", encoding="utf-8") as file:
-        reader = csv.DictReader(file)
-        missing = [name for name in columns if name not in (reader.fieldnames or ())]
-        if missing:
-            raise ValueError(f"{fspath(path)}: column {missing[0]!r} is missing")
-        return [{name: _cell(path, name, row[name]) for name in columns} for row in reader]
-
-
-def _cell(path: AnyPath, column: str, text: str | None) -> str | float:
-    if column in _TEXTS:
-        return text or ""
-    try:
-        return float(text or "nan")
-    except ValueError:
-        raise ValueError(f"{fspath(path)}: {column} = {text!r}: must be a number") from None
+def _attribute_text(name: str, value: str | float) -> str:
+    """Return an attribute of a sheet in words, for messages."""
+    text = value if isinstance(value, str) else f"{value:g}"
+    return f"{_SYMBOLS.get(name, name)} = {text}"

@@ -6,10 +6,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from wrinklestudy.results.sheets import SheetStates
 from wrinklestudy.study.figures import measured, style
 from wrinklestudy.study.figures.against_strain import BELOW, extremes, holes, legend, styled
 from wrinklestudy.study.figures.inputs import Inputs
-from wrinklestudy.study.figures.series import Series
 from wrinklestudy.study.figures.style import GREY, Look
 from wrinklestudy.study.measurements import Points, SheetSize
 
@@ -19,8 +19,8 @@ _COLUMN = "amplitude_over_thickness"
 def draw(inputs: Inputs, varied: int, number: Callable[[float], float], symbol: str) -> Figure:
     """Draw max A/t over strain against a number of the sheet, and the curves A/t beside it.
 
-    The maximum lies between the states (`results.peaks.peak_row`). Measured data has the highest
-    point of each sheet that shares what is not varied.
+    The maximum lies between the states (`results.peaks`). Measured data has the highest point of
+    each sheet that shares what is not varied.
 
     Parameters
     ----------
@@ -37,17 +37,17 @@ def draw(inputs: Inputs, varied: int, number: Callable[[float], float], symbol: 
     def place(sheet: SheetSize) -> float:
         return number(sheet[varied])
 
-    pairs = styled(sorted(inputs.series, key=lambda one: place(one.sheet)))
+    pairs = styled(sorted(inputs.series, key=lambda one: place(one.size)))
     series = [one for one, _ in pairs]
     figure = style.new(style.WIDE, 5.2)
     peaks, curves = figure.subplots(1, 2)
     for one, look in pairs:
-        _maximum(peaks, one, look, place(one.sheet))
+        _maximum(peaks, one, look, place(one.size))
         _curve(curves, one, look)
-    shared = {one.sheet[1 - varied] for one in series}
+    shared = {one.size[1 - varied] for one in series}
     found = sorted(inputs.measured_amplitude().items())
     row = {place(sheet): one for sheet, one in found if sheet[1 - varied] in shared}
-    maxima = [one.maximum() for one in series]
+    maxima = [one.peak["max_amplitude_over_thickness"] for one in series]
     largest = [*maxima, extremes(series, _COLUMN)[1], _measured(peaks, row)]
     highest = float(np.nanmax(largest)) or 1.0
     for axes in (peaks, curves):
@@ -62,14 +62,14 @@ def draw(inputs: Inputs, varied: int, number: Callable[[float], float], symbol: 
     return figure
 
 
-def _maximum(axes: Axes, one: Series, look: Look, x: float) -> None:
+def _maximum(axes: Axes, one: SheetStates, look: Look, x: float) -> None:
     """Draw the maximum of a sheet; at 0 if it never wrinkles, as a hole if it is not known."""
-    highest = one.maximum()
+    highest = one.peak["max_amplitude_over_thickness"]
     if one.never_wrinkles:
         axes.plot([x], [0.0], "v", color=GREY, mfc="white", ms=5.0, mew=0.8, label="never wrinkles")
-        axes.plot([], [], look.line, color=look.color, label=one.label)
+        axes.plot([], [], look.line, color=look.color, label=look.label)
     elif np.isfinite(highest):
-        axes.plot([x], [highest], look.marker, color=look.color, ms=4.5, label=one.label)
+        axes.plot([x], [highest], look.marker, color=look.color, ms=4.5, label=look.label)
     else:
         axes.plot(
             [x],
@@ -80,12 +80,13 @@ def _maximum(axes: Axes, one: Series, look: Look, x: float) -> None:
             transform=axes.get_xaxis_transform(),
             label="maximum not known",
         )
-        axes.plot([], [], look.line, color=look.color, label=one.label)
+        axes.plot([], [], look.line, color=look.color, label=look.label)
 
 
-def _curve(axes: Axes, one: Series, look: Look) -> None:
+def _curve(axes: Axes, one: SheetStates, look: Look) -> None:
     axes.plot(*one.curve(_COLUMN), look.line, color=look.color, lw=0.8)
-    strain, amplitude = one.column("strain")[one.wrinkled], one.column(_COLUMN)[one.wrinkled]
+    wrinkled = one.of_status("wrinkled")
+    strain, amplitude = one.column("strain")[wrinkled], one.column(_COLUMN)[wrinkled]
     axes.plot(strain, amplitude, look.marker, color=look.color, ms=2.4)
     holes(axes, one, look.color)
 

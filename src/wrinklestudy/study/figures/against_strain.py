@@ -1,12 +1,15 @@
 """What the figures over strain have in common: points, holes, axis and legend."""
 
+from dataclasses import replace
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from wrinklestudy.results.sheets import SheetStates
 from wrinklestudy.study.figures import measured, style
-from wrinklestudy.study.figures.series import Series, note
+from wrinklestudy.study.figures.series import labels, note
 from wrinklestudy.study.figures.style import GREY, Look, looks
 from wrinklestudy.study.measurements import Points, SheetSize
 
@@ -16,18 +19,19 @@ BELOW = 0.09
 SHARED = ("flat", "not converged", "birth, decay")
 
 
-def styled(series: list[Series]) -> list[tuple[Series, Look]]:
+def styled(series: list[SheetStates]) -> list[tuple[SheetStates, Look]]:
     """Return the series, each with its look: by L/W or t/W if these vary, by law otherwise."""
-    sheets = {one.sheet for one in series}
-    found = style.ordered(len(series)) if len(sheets) > 1 else looks([one.law for one in series])
-    return list(zip(series, found, strict=True))
+    sizes = {one.size for one in series}
+    found = style.ordered(len(series)) if len(sizes) > 1 else looks([one.law for one in series])
+    named = [replace(look, label=label) for look, label in zip(found, labels(series), strict=True)]
+    return list(zip(series, named, strict=True))
 
 
-def points(axes: Axes, one: Series, look: Look, column: str, factor: float = 1.0) -> None:
+def points(axes: Axes, one: SheetStates, look: Look, column: str, factor: float = 1.0) -> None:
     """Draw a column over strain: wrinkled states filled, flat ones open, holes on the axis."""
     strain, value = one.column("strain"), factor * one.column(column)
-    faces = ((one.wrinkled, look.color, one.label), (one.flat, "white", "flat"))
-    for which, face, label in faces:
+    wrinkled, flat = one.of_status("wrinkled"), one.of_status("flat")
+    for which, face, label in ((wrinkled, look.color, look.label), (flat, "white", "flat")):
         shown = which & np.isfinite(value)
         if shown.any():
             axes.plot(
@@ -42,12 +46,13 @@ def points(axes: Axes, one: Series, look: Look, column: str, factor: float = 1.0
     holes(axes, one, look.color)
 
 
-def holes(axes: Axes, one: Series, color: str) -> None:
+def holes(axes: Axes, one: SheetStates, color: str) -> None:
     """Draw a cross just above the strain axis for every state that did not converge."""
-    if one.holes.any():
+    strain = one.column("strain")[one.of_status("not-converged")]
+    if len(strain):
         axes.plot(
-            one.column("strain")[one.holes],
-            np.full(int(one.holes.sum()), 0.025),
+            strain,
+            np.full(len(strain), 0.025),
             "x",
             color=color,
             ms=3.0,
@@ -57,13 +62,13 @@ def holes(axes: Axes, one: Series, color: str) -> None:
         )
 
 
-def overlay(axes: Axes, series: list[Series], found: dict[SheetSize, Points]) -> float:
+def overlay(axes: Axes, series: list[SheetStates], found: dict[SheetSize, Points]) -> float:
     """Draw what was measured on the sheets of the figure; return the largest value, 0 if none."""
-    own = [found[sheet] for sheet in sorted({one.sheet for one in series}) if sheet in found]
+    own = [found[size] for size in sorted({one.size for one in series}) if size in found]
     return max((measured.band(axes, one) for one in own), default=0.0)
 
 
-def finish(figure: Figure, axes: Axes, series: list[Series]) -> float:
+def finish(figure: Figure, axes: Axes, series: list[SheetStates]) -> float:
     """Set the strain axis and the legend above it; return the largest strain, measured or not."""
     end = max(largest_strain(series), float(axes.dataLim.x1))
     axes.set_xlabel(r"strain $\varepsilon$")
@@ -72,10 +77,10 @@ def finish(figure: Figure, axes: Axes, series: list[Series]) -> float:
     return end
 
 
-def legend(figure: Figure, axes: Axes, series: list[Series], columns: int = 2) -> None:
+def legend(figure: Figure, axes: Axes, series: list[SheetStates], columns: int = 2) -> None:
     """Put a legend above the axes, which names what the series have in common."""
-    labels = [one.label for one in series]
-    style.grow(figure, style.legend_above(axes, labels, note(series), columns=columns))
+    names = labels(series)
+    style.grow(figure, style.legend_above(axes, names, note(series), columns=columns))
     if len(series) > 1:  # marks that several series share have no colour
         (shown,) = figure.legends
         for handle, text in zip(shown.legend_handles, shown.get_texts(), strict=True):
@@ -83,13 +88,13 @@ def legend(figure: Figure, axes: Axes, series: list[Series], columns: int = 2) -
                 handle.set_color(GREY)
 
 
-def largest_strain(series: list[Series]) -> float:
+def largest_strain(series: list[SheetStates]) -> float:
     """Return the largest strain of all series, birth and decay included."""
     strains = [[*one.column("strain"), one.birth, one.decay] for one in series]
     return float(np.nanmax(np.concatenate(strains)))
 
 
-def extremes(series: list[Series], column: str) -> tuple[float, float]:
+def extremes(series: list[SheetStates], column: str) -> tuple[float, float]:
     """Return smallest and largest finite value of a column; 0 and 1 if there is none."""
     values = np.concatenate([one.column(column) for one in series])
     values = values[np.isfinite(values)]

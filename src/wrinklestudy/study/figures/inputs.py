@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from os import fspath
 from pathlib import Path
 from typing import Any
 
@@ -12,10 +11,12 @@ import numpy as np
 from wrinklestudy.material.result import Fit
 from wrinklestudy.metrics.profile import Profile, profile_from_state
 from wrinklestudy.metrics.surface import SampledSurface, full_surface
-from wrinklestudy.results.files import read_h5
+from wrinklestudy.results.fields import read_wrinkle
+from wrinklestudy.results.load import load_sheets
 from wrinklestudy.results.materials import load_fit
+from wrinklestudy.results.sheets import SheetStates
 from wrinklestudy.study import measurements
-from wrinklestudy.study.figures.series import Series, number, read_series
+from wrinklestudy.study.figures.series import number
 from wrinklestudy.study.figures.style import LAW_NAMES
 from wrinklestudy.study.measurements import Points, Scan, SheetSize
 from wrinklestudy.typing import Array
@@ -87,9 +88,17 @@ class Inputs:
     experiment: tuple[Path, ...] = ()
 
     @cached_property
-    def series(self) -> list[Series]:
-        """The sheets of the tables, in their order."""
-        return read_series(self.metrics, self.stability)
+    def series(self) -> list[SheetStates]:
+        """The sheets of the tables, in their order.
+
+        Raises
+        ------
+        ValueError
+            If there is no table, or one has no rows or is not a table of states.
+        """
+        if not self.metrics:
+            raise ValueError("metrics: no table given, this figure shows sheets")
+        return load_sheets(self.metrics, self.stability)
 
     def loaded_states(self) -> list[StateFile]:
         """Return the states by strain.
@@ -155,16 +164,13 @@ def _add(found: dict[SheetSize, Points], scan: Scan, value: float, error: float)
 
 
 def _load_state(path: Path) -> StateFile:
-    datasets, attrs = read_h5(path)
-    try:
-        return StateFile(
-            strain=attrs["strain"],
-            aspect=attrs["aspect"],
-            thickness=attrs["thickness"],
-            law=attrs["law"],
-            status=attrs["status"],
-            parity=attrs["parity"],
-            datasets=datasets,
-        )
-    except KeyError as error:
-        raise ValueError(f"{fspath(path)}: attribute {error} is missing") from None
+    row, datasets = read_wrinkle(path)
+    return StateFile(
+        strain=row.strain,
+        aspect=row.aspect,
+        thickness=row.thickness,
+        law=row.law,
+        status=row.status,
+        parity=row.parity,
+        datasets=datasets,
+    )

@@ -60,11 +60,12 @@ _METADATA: dict[str, dict[str, None]] = {
 
 @dataclass(frozen=True)
 class Look:
-    """How one series is drawn."""
+    """How one series is drawn, and its name in the legend."""
 
     color: str
     marker: str
     line: str
+    label: str = ""
 
 
 _BY_LAW = {

@@ -3,6 +3,7 @@
 import numpy as np
 
 from wrinklestudy.material.homogeneous import nominal_stress
+from wrinklestudy.results.sheets import MissingError
 from wrinklestudy.studies.panaitescu2019 import theory
 from wrinklestudy.study.claims.finding import (
     Finding,
@@ -11,7 +12,6 @@ from wrinklestudy.study.claims.finding import (
     verdict_across,
     verdict_of,
 )
-from wrinklestudy.study.claims.sheet import MissingError
 from wrinklestudy.study.claims.tables import StudyTables
 
 ZERO = 1e-8

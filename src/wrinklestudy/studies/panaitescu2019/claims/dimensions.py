@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from wrinklestudy.results.sheets import MissingError, SheetStates
 from wrinklestudy.study.claims.finding import Finding, Value, claim, number_text, verdict_of
-from wrinklestudy.study.claims.sheet import MissingError, SheetStates
 from wrinklestudy.study.claims.tables import StudyTables
 from wrinklestudy.typing import Array
 

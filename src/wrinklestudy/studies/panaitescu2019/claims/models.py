@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from wrinklestudy.results.sheets import MissingError, SheetStates
 from wrinklestudy.studies.panaitescu2019.claims.persistence import BENDING, ends, shorter
 from wrinklestudy.study.claims.finding import (
     Finding,
@@ -12,7 +13,6 @@ from wrinklestudy.study.claims.finding import (
     verdict_across,
     verdict_of,
 )
-from wrinklestudy.study.claims.sheet import MissingError, SheetStates
 from wrinklestudy.study.claims.tables import StudyTables
 
 ACCURACY = 0.005  # of the largest amplitude, error of the mesh

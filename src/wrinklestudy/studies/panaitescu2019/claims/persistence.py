@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from wrinklestudy.results.sheets import MissingError, SheetStates
 from wrinklestudy.study.claims.finding import (
     Finding,
     Value,
@@ -12,7 +13,6 @@ from wrinklestudy.study.claims.finding import (
     verdict_across,
     verdict_of,
 )
-from wrinklestudy.study.claims.sheet import MissingError, SheetStates
 from wrinklestudy.study.claims.tables import StudyTables
 
 LEAST_BIRTH = 1e-3  # strain

@@ -4,6 +4,7 @@ import numpy as np
 
 from wrinklestudy.metrics.measure import measure
 from wrinklestudy.metrics.profile import Profile
+from wrinklestudy.results.sheets import MissingError, SheetStates
 from wrinklestudy.studies.panaitescu2019 import theory
 from wrinklestudy.studies.panaitescu2019.claims.confinement import AVERAGES, AVERAGING
 from wrinklestudy.study.claims.finding import (
@@ -14,7 +15,6 @@ from wrinklestudy.study.claims.finding import (
     verdict_across,
     verdict_of,
 )
-from wrinklestudy.study.claims.sheet import MissingError, SheetStates
 from wrinklestudy.study.claims.tables import StudyTables
 from wrinklestudy.typing import Array
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from wrinklestudy.results.sheets import MissingError
 from wrinklestudy.study.claims.finding import Finding, Value, claim, verdict_of
-from wrinklestudy.study.claims.sheet import MissingError
 from wrinklestudy.study.claims.tables import StudyTables
 
 CENTRAL = 0.1  # |X|/L and |Y|/W

@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from wrinklestudy.results.sheets import MissingError
 from wrinklestudy.studies.panaitescu2019 import theory
 from wrinklestudy.study.claims.finding import Finding, Value, claim, largest, verdict_of
-from wrinklestudy.study.claims.sheet import MissingError
 from wrinklestudy.study.claims.tables import StudyTables
 from wrinklestudy.typing import Array
 

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from wrinklestudy.results.sheets import MissingError, SheetStates
 from wrinklestudy.studies.panaitescu2019 import theory
 from wrinklestudy.study.claims.finding import (
     Finding,
@@ -11,7 +12,6 @@ from wrinklestudy.study.claims.finding import (
     number_text,
     verdict_of,
 )
-from wrinklestudy.study.claims.sheet import MissingError, SheetStates
 from wrinklestudy.study.claims.tables import StudyTables
 from wrinklestudy.typing import Array
 

@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from wrinklestudy.results.sheets import SheetStates
 from wrinklestudy.study.figures import style
 from wrinklestudy.study.figures.against_strain import (
     BELOW,
@@ -14,7 +15,6 @@ from wrinklestudy.study.figures.against_strain import (
     styled,
 )
 from wrinklestudy.study.figures.inputs import Inputs
-from wrinklestudy.study.figures.series import Series
 
 _COLUMN = "amplitude_over_thickness"
 
@@ -35,7 +35,7 @@ def draw(inputs: Inputs) -> Figure:
     return figure
 
 
-def _ends(axes: Axes, one: Series, color: str) -> None:
+def _ends(axes: Axes, one: SheetStates, color: str) -> None:
     ends = [strain for strain in (one.birth, one.decay) if np.isfinite(strain)]
     if ends:
         axes.plot(

@@ -30,7 +30,7 @@ def draw(inputs: Inputs) -> Figure:
         points(axes, one, look, _COLUMN)
     measured = overlay(axes, series, inputs.measured_wavelength())
     strain = largest_strain(series) * np.linspace(0.02, 1.0, 300)
-    for aspect, thickness in sorted({one.sheet for one in series}):
+    for aspect, thickness in sorted({one.size for one in series}):
         closed = theory.cm_wavelength(strain, aspect, thickness, factor=theory.WAVELENGTH_FACTOR)
         axes.plot(strain, closed, ":", color=style.BLACK, label=_closed_form_label())
     axes.set_ylabel(r"$\lambda/W$")

@@ -19,16 +19,16 @@ def draw(inputs: Inputs) -> Figure:
     """Draw A/t against Phi lambda/t of the wrinkled states beyond the strain `ABOVE`."""
     series = sorted(inputs.series, key=lambda one: (one.aspect, one.thickness))
     figure, axes = style.panel(height=6.4)
-    scans = inputs.scans_of([one.sheet for one in series])
+    scans = inputs.scans_of([one.size for one in series])
     shown = [one for one in scans if one.strain > ABOVE]
     farthest, highest = measured.slaving(axes, shown)
     holes = 0
     for one, look in styled(series):
-        holes += int((one.holes & (one.column("strain") > ABOVE)).sum())
+        holes += int((one.of_status("not-converged") & (one.column("strain") > ABOVE)).sum())
         for average in slaving.AVERAGES:
             slaved, amplitude = slaving.trajectory(one, average, ABOVE)
             if np.isfinite(slaved).any():
-                label = one.label if average == slaving.AVERAGES[0] else None
+                label = look.label if average == slaving.AVERAGES[0] else None
                 slaving.points(axes, slaved, amplitude, look, label)
             farthest = float(np.nanmax([farthest, *slaved]))
             highest = float(np.nanmax([highest, *amplitude]))

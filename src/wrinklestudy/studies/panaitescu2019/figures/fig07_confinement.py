@@ -8,11 +8,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from wrinklestudy.results.sheets import SheetStates
 from wrinklestudy.studies.panaitescu2019 import theory
 from wrinklestudy.study.figures import measured, style
 from wrinklestudy.study.figures.against_strain import BELOW, extremes, finish, points, styled
 from wrinklestudy.study.figures.inputs import Inputs
-from wrinklestudy.study.figures.series import Series
 
 _COLUMN = "phi_squared"
 
@@ -26,7 +26,7 @@ def draw(inputs: Inputs) -> Figure:
         axes.plot(strain, 1e3 * confinement, look.line, color=look.color, lw=0.8)
         points(axes, one, look, _COLUMN, 1e3)
     largest = 1e3 * extremes(series, _COLUMN)[1] or 1.0
-    found = measured.confinement(inputs.scans_of([one.sheet for one in series]))
+    found = measured.confinement(inputs.scans_of([one.size for one in series]))
     if found is not None:
         largest = max(largest, measured.band(axes, found, 1e3))
     axes.set_ylabel(r"$\Phi^2 \times 10^3$")
@@ -36,13 +36,14 @@ def draw(inputs: Inputs) -> Figure:
     return figure
 
 
-def _inset(axes: Axes, series: list[Series], end: float) -> None:
+def _inset(axes: Axes, series: list[SheetStates], end: float) -> None:
     strain = np.linspace(0.01 * end, end, 200)
     axes.plot(strain, theory.cm_confinement(strain), "--", color=style.BLACK, lw=0.8)
     axes.text(0.5 * end, 0.15 * end, r"$\nu\varepsilon$", ha="center", va="top", fontsize=7)
     for one, look in styled(series):
-        value = one.column(_COLUMN)[one.wrinkled]
-        axes.plot(one.column("strain")[one.wrinkled], value, look.marker, color=look.color, ms=1.6)
+        wrinkled = one.of_status("wrinkled")
+        strain, value = one.column("strain")[wrinkled], one.column(_COLUMN)[wrinkled]
+        axes.plot(strain, value, look.marker, color=look.color, ms=1.6)
     axes.set_yscale("log")
     axes.set_xlim(0.0, 1.02 * end)
     axes.set_ylim(1e-5, 1.0)

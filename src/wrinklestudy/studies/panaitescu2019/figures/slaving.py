@@ -8,18 +8,18 @@ paper's best fit) and C = 1/pi (a sinusoid).
 import numpy as np
 from matplotlib.axes import Axes
 
+from wrinklestudy.results.sheets import SheetStates
 from wrinklestudy.studies.panaitescu2019 import theory
 from wrinklestudy.study.figures import style
-from wrinklestudy.study.figures.series import Series
 from wrinklestudy.study.figures.style import Look
 from wrinklestudy.typing import Array
 
 AVERAGES = ("phi_squared", "phi_squared_central")
 
 
-def trajectory(one: Series, average: str, above: float = 0.0) -> tuple[Array, Array]:
+def trajectory(one: SheetStates, average: str, above: float = 0.0) -> tuple[Array, Array]:
     """Return Phi lambda/t and A/t of the wrinkled states beyond a strain, NaN elsewhere."""
-    shown = one.wrinkled & (one.column("strain") > above)
+    shown = one.wrinkled_above(above)
     confinement = np.sqrt(one.column(average))
     product = confinement * one.column("wavelength_over_width") / one.thickness
     amplitude = one.column("amplitude_over_thickness")

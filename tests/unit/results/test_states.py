@@ -1,11 +1,15 @@
-"""The table of a sheet: every state has its row, and the same files give the same bytes."""
+"""The row of a wrinkle file: every state has one, and what is measured is that of its shape."""
+
+import math
 
 import numpy as np
 import pandas as pd
 import pytest
+from made_up_rows import SHEET
 
 from wrinklestudy.results.files import write_h5
-from wrinklestudy.results.table import CASE, COLUMNS, measure_state
+from wrinklestudy.results.rows import StateRow, columns
+from wrinklestudy.results.states import measure_state
 from wrinklestudy.stages import metrics
 
 GRID_X, GRID_Y = np.linspace(0.0, 1.0, 9), np.linspace(0.0, 0.5, 25)
@@ -24,14 +28,13 @@ def position(amplitude, wavelength=0.13):
 
 
 def attributes(strain, status, **other):
-    numbers = dict.fromkeys(COLUMNS, 0.1 + 0.2)
-    case = dict(zip(CASE, ("latex", "mooney-rivlin", "thinning", "antisymmetric"), strict=False))
-    counts = {"newton_iterations": 7, "cells_along": 8, "cells_across": 24}
-    measured = [name for name in numbers if "over" in name or "phi" in name or "shape" in name]
-    own = {"aspect": 2.0, "thickness": 1e-3, "strain": strain, "status": status, "reason": ""}
-    kept = {name: value for name, value in numbers.items() if name not in measured}
-    flat = {"unstable_directions": 0, "planar_width_over_width": 0.95}
-    return kept | case | counts | own | flat | other
+    """Return the attributes of a wrinkle file, all numbers 0.1 + 0.2 that are not given."""
+    kinds = {
+        column.name: column.kind for column in columns(StateRow).values() if not column.measured
+    }
+    values = {name: 7 if kind is int else 0.1 + 0.2 for name, kind in kinds.items()}
+    own = {"strain": strain, "status": status, "reason": "", "unstable_directions": 0}
+    return values | SHEET | own | {"planar_width_over_width": 0.95} | other
 
 
 def write_state(path, strain, status="wrinkled", amplitude=3e-3, **other):
@@ -99,12 +102,23 @@ def test_one_case_twice_is_refused_before_anything_is_written(sheet, tmp_path):
 
 def test_a_file_of_another_kind_gets_one_line_that_names_it(tmp_path):
     path = tmp_path / "planar.h5"
-    write_h5(path, {}, {"strain": 0.1, "status": "done"})
-    with pytest.raises(ValueError, match=r"planar.h5: status = 'done': must be wrinkled, flat or"):
-        measure_state(path)
     write_h5(path, {}, {"strain": 0.1, "status": "flat"})
-    with pytest.raises(ValueError, match=r"planar.h5: attribute 'material' is missing"):
+    with pytest.raises(ValueError, match=r"planar.h5: 'material' is missing, not a wrinkle file"):
+        measure_state(path)
+    write_h5(path, {}, attributes(0.1, "done"))
+    with pytest.raises(ValueError, match=r"planar.h5: status = 'done': must be one of wrinkled, f"):
+        measure_state(path)
+    write_h5(path, {}, attributes(0.1, "flat", cells_along="many"))
+    with pytest.raises(ValueError, match=r"cells_along = 'many': must be a whole number"):
         measure_state(path)
     write_h5(path, {"grid/x": GRID_X}, attributes(0.1, "wrinkled"))
     with pytest.raises(ValueError, match=r"planar.h5: dataset 'grid/y' is missing"):
+        measure_state(path)
+
+
+def test_an_attribute_that_is_not_a_number_stands_for_none(tmp_path):
+    path = write_state(tmp_path / "a.h5", 0.1, residual=math.nan)
+    assert measure_state(path).residual is None
+    write_state(path, 0.1, young_modulus_pa=math.nan)
+    with pytest.raises(ValueError, match=r"a.h5: young_modulus_pa is empty: must be a number"):
         measure_state(path)

@@ -1,0 +1,87 @@
+"""The data dictionary: what stands in each column, as a page of the docs.
+
+``python -m wrinklestudy.results.dictionary docs/columns.md`` writes it from the row types.
+"""
+
+import sys
+from collections.abc import Iterable, Mapping, Sequence
+
+from wrinklestudy.results.files import atomic_path
+from wrinklestudy.results.rows import Column
+from wrinklestudy.results.tables import PEAK_COLUMNS, STABILITY_COLUMNS, STATE_COLUMNS
+
+_KINDS = {str: "text", int: "whole number", float: "number"}
+
+_HEAD = """# Columns of the tables
+
+Written by `python -m wrinklestudy.results.dictionary docs/columns.md` from the row types in
+`wrinklestudy/results/rows.py`; a test keeps it in step. Lengths are in units of the width W, with L
+the length and t the thickness of the undeformed sheet; mu is the initial shear modulus. x runs
+along the pull, y across, both from the centre: x = 0 is the line half-way between the clamps.
+
+The tables are CSV files with one header line, sorted by the columns marked *key*. Numbers have all
+their digits. Where a cell may be empty, there is no such number: a flat state has no wavelength, a
+state that did not converge has no measures, a sheet that never wrinkles has no birth strain.
+"""
+
+_STATES = """
+## States
+
+`results/metrics/{material}/aspect{aspect}_thickness{thickness}.csv` (one sheet) and
+`results/summary/states.csv` (all), one row per state. Columns marked *file* are attributes of the
+wrinkle file of the state too, with NaN for no number; where a state did not converge, those are the
+numbers of the last iterate. Columns marked *json* are what `wrinklestudy solve --json` and
+`State.as_dict()` give, with `seconds`, the wall time of the solve, beside them.
+"""
+
+_STABILITY = """
+## Stability
+
+`results/summary/stability.csv`, one row per sheet. The JSON files of the stability stage have the
+same keys, among others.
+"""
+
+_PEAKS = """
+## Peaks
+
+`results/summary/peaks.csv`, one row per sheet. A maximum is that of a smooth curve through the
+states, birth and decay, so that it lies between them; it is not known where a state beside it did
+not converge.
+"""
+
+
+def page() -> str:
+    """Return the data dictionary as Markdown."""
+    files = {name for name, column in STATE_COLUMNS.items() if not column.measured}
+    blocks = [
+        _HEAD,
+        _STATES,
+        *_table(STATE_COLUMNS, files),
+        _STABILITY,
+        *_table(STABILITY_COLUMNS),
+        _PEAKS,
+        *_table(PEAK_COLUMNS),
+    ]
+    return "".join(blocks)
+
+
+def _table(columns: Mapping[str, Column], files: Iterable[str] = ()) -> list[str]:
+    lines = ["\n| column | is | unit | | what |\n", "|---|---|---|---|---|\n"]
+    for name, column in columns.items():
+        marks = {"key": column.identifies, "file": name in files, "json": column.shown}
+        kind = f"{_KINDS[column.kind]}{' or empty' if column.optional else ''}"
+        text = column.description.replace("|", "\\|")
+        which = ", ".join(mark for mark, holds in marks.items() if holds)
+        lines.append(f"| `{name}` | {kind} | {column.unit} | {which} | {text} |\n")
+    return lines
+
+
+def main(arguments: Sequence[str]) -> None:
+    """Write the data dictionary to the path given."""
+    (output,) = arguments
+    with atomic_path(output) as path:
+        path.write_text(page(), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,149 @@
+"""The tables as CSV files: the one place where rows are written and read back.
+
+One header line, one line per row. Numbers have all their digits and whole numbers no point, an
+empty cell means that there is no such number, and a text is what it is, even if it looks like a
+number; only a carriage return, which ends a line as a line feed does, has no place in it. The same
+rows give the same bytes, whatever their order.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from os import fspath
+from typing import TYPE_CHECKING, Any
+
+from wrinklestudy.results.files import atomic_path
+from wrinklestudy.results.rows import (
+    Column,
+    Limits,
+    SheetIdentity,
+    SheetRow,
+    StateRow,
+    allowed_text,
+    checked,
+    columns,
+    key_text,
+)
+from wrinklestudy.typing import AnyPath, Cell
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+STATE_COLUMNS = columns(StateRow)
+STABILITY_COLUMNS = columns(Limits)
+PEAK_COLUMNS: Mapping[str, Column] = {
+    name: column
+    for name, column in columns(SheetRow).items()
+    if name not in ("max_critical_thickness", "strain_at_max")
+}
+
+_DTYPES = {str: "object", int: "Int64", float: "float64"}
+_PARSERS: dict[type, Callable[[str], Cell]] = {str: str, int: int, float: float}
+
+
+def write_states(rows: Sequence[StateRow], output: AnyPath) -> None:
+    """Write states as a table, sorted by case and strain."""
+    _write(rows, STATE_COLUMNS, output)
+
+
+def write_stability(rows: Sequence[Limits], output: AnyPath) -> None:
+    """Write where sheets are unstable as a table, sorted by sheet."""
+    _write(rows, STABILITY_COLUMNS, output)
+
+
+def write_peaks(rows: Sequence[SheetRow], output: AnyPath) -> None:
+    """Write what sheets reach over strain as a table, sorted by sheet."""
+    _write(rows, PEAK_COLUMNS, output)
+
+
+def read_states(path: AnyPath) -> list[StateRow]:
+    """Return the states of a table of the metrics or of the summary stage, in its order.
+
+    Raises
+    ------
+    ValueError
+        If a column is missing or a cell is not what its column allows; one line that names the
+        file and the line.
+    """
+    return [StateRow(**cells) for cells in _read(path, STATE_COLUMNS)]
+
+
+def read_sheets(stability: AnyPath, peaks: AnyPath) -> list[SheetRow]:
+    """Return the sheets of the tables of stability and of peaks, in the order of the latter.
+
+    Raises
+    ------
+    ValueError
+        As `read_states`, or if a sheet stands in one of the tables only.
+    """
+    unstable = [Limits(**cells) for cells in _read(stability, STABILITY_COLUMNS)]
+    limits = {row.key: row for row in unstable}
+    rows = []
+    for cells in _read(peaks, PEAK_COLUMNS):
+        key = tuple(cells[name] for name in columns(SheetIdentity))
+        if key not in limits:
+            raise ValueError(f"{fspath(stability)}: has no sheet {key_text(key)}")
+        rows.append(SheetRow(**cells | vars(limits.pop(key))))
+    for key in limits:
+        raise ValueError(f"{fspath(peaks)}: has no sheet {key_text(key)}")
+    return rows
+
+
+def _write(rows: Sequence[SheetIdentity], wanted: Mapping[str, Column], output: AnyPath) -> None:
+    import pandas as pd
+
+    ordered = sorted(rows, key=lambda row: row.key)
+    table = pd.DataFrame(
+        {
+            name: pd.Series([getattr(row, name) for row in ordered], dtype=_DTYPES[column.kind])
+            for name, column in wanted.items()
+        }
+    )
+    with atomic_path(output) as path:
+        table.to_csv(path, index=False, lineterminator="\n", encoding="utf-8")
+
+
+def _read(path: AnyPath, wanted: Mapping[str, Column]) -> list[dict[str, Any]]:
+    """Return the cells of a table by column name; other columns are left alone."""
+    table = _texts(path)
+    header = list(table.iloc[0])
+    for name in wanted:
+        if header.count(name) != 1:
+            wrong = "stands twice" if name in header else "is missing"
+            raise ValueError(f"{fspath(path)}: column {name!r} {wrong}")
+    table.columns = header
+    lines = table.iloc[1:][list(wanted)].itertuples(index=False, name=None)
+    return [
+        {
+            column.name: _cell(column, text, f"{fspath(path)}, line {number}")
+            for column, text in zip(wanted.values(), texts, strict=True)
+        }
+        for number, texts in enumerate(lines, 2)
+    ]
+
+
+def _texts(path: AnyPath) -> "pd.DataFrame":
+    """Return a CSV file as texts, the header as the first row."""
+    import pandas as pd
+
+    try:
+        return pd.read_csv(
+            path,
+            header=None,
+            dtype=str,
+            na_filter=False,
+            skip_blank_lines=False,
+            encoding="utf-8",
+        )
+    except (pd.errors.ParserError, pd.errors.EmptyDataError, UnicodeDecodeError) as error:
+        message = str(error).strip().splitlines()[-1]
+        raise ValueError(f"{fspath(path)}: is not a table ({message})") from None
+
+
+def _cell(column: Column, text: str, where: str) -> Cell:
+    value: Cell = text
+    if column.kind is not str:
+        try:
+            value = None if text == "" else _PARSERS[column.kind](text)
+        except ValueError:
+            allowed = allowed_text(column)
+            raise ValueError(f"{where}: {column.name} = {text!r}: must be {allowed}") from None
+    return checked(column, value, where)
