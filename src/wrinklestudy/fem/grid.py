@@ -2,10 +2,14 @@
 
 import math
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
 from wrinklestudy.typing import Array
+
+# Edges of a grid: first and last line of constant x, first and last line of constant y.
+Edge = Literal["left", "right", "lower", "upper"]
 
 REFERENCE_ASPECT = 2.0
 REFERENCE_THICKNESS = 1.0e-3

@@ -1,14 +1,11 @@
 """Profiles across the sheet: from a computed state or from a laser scan."""
 
-import csv
 from collections.abc import Callable
 from dataclasses import dataclass
-from os import PathLike, fspath
-from pathlib import Path
 
 import numpy as np
 
-from wrinklestudy.metrics.interpolant import evaluate, subdivided, unfolded_across
+from wrinklestudy.metrics.interpolant import DeformedSheet, subdivided
 from wrinklestudy.typing import Array
 
 SAMPLES_PER_CELL = 64
@@ -56,25 +53,15 @@ class Profile:
 
 
 def profile_from_state(
-    grid_x: Array,
-    grid_y: Array,
-    position: Array,
-    parity: str,
-    x: float = 0.0,
-    per_cell: int = SAMPLES_PER_CELL,
+    sheet: DeformedSheet, x: float = 0.0, per_cell: int = SAMPLES_PER_CELL
 ) -> Profile:
     """Return the cross-section of a computed state on the material line X = ``x``.
 
     Parameters
     ----------
-    grid_x, grid_y : ndarray, shapes (nx + 1,) and (ny + 1,)
-        Node coordinates of the quarter in units of W.
-    position : ndarray, shape (3, 4, nx + 1, ny + 1)
-        Bicubic Hermite degrees of freedom of the deformed position in units of W.
-    parity : str
-        ``antisymmetric`` (z odd in Y) or ``symmetric``.
+    sheet : DeformedSheet
     x : float
-        Reference coordinate of the line, between 0 (half-way between the clamps) and L/2.
+        Reference coordinate of the line, between -L/2 and L/2; 0 is half-way between the clamps.
     per_cell : int
         Samples of the finite element interpolant per cell.
 
@@ -86,75 +73,14 @@ def profile_from_state(
     Raises
     ------
     ValueError
-        If the line is outside the sheet or the parity is unknown.
+        If the line is outside the sheet.
     """
-    if not grid_x[0] <= abs(x) <= grid_x[-1]:
-        raise ValueError(f"x = {x:g}: must lie between 0 and L/2 = {grid_x[-1]:g} (in units of W)")
-    full_y, full = unfolded_across(grid_y, position, parity)
-    points = subdivided(full_y, per_cell)
-    line = evaluate(grid_x, full_y, full, np.array([abs(x)]), points)[:, 0, :]
-    return Profile(y=line[1], z=line[2], x=np.copysign(line[0], x))
-
-
-def read_profile_csv(path: str | PathLike[str]) -> Profile:
-    """Read a scanned profile: a CSV table with the columns ``y`` and ``w``.
-
-    The first line that is neither blank nor a comment (``#``) names the columns, in any order, and
-    others are left alone. ``y`` runs across the sheet from edge to edge, ``w`` is the deflection;
-    both in one length unit, which is the unit of everything measured on the profile. A scan from
-    high to low ``y`` is turned round. Nothing is removed: see `cleaned`.
-
-    Parameters
-    ----------
-    path : path-like
-        CSV file.
-
-    Returns
-    -------
-    Profile
-
-    Raises
-    ------
-    ValueError
-        If a column is missing, an entry is not a finite number or ``y`` is not monotonic; one
-        line that names the file and, where there is one, the line.
-    """
-    name = fspath(path)
-    with Path(path).open(newline="", encoding="utf-8") as file:
-        lines = [(k, line) for k, line in enumerate(file, 1) if _is_data(line)]
-    rows = list(csv.reader(line for _, line in lines))
-    header = [entry.strip() for entry in rows[0]] if rows else []
-    for column in ("y", "w"):
-        if column not in header:
-            found = ", ".join(header) or "nothing"
-            raise ValueError(f"{name}: column {column!r} is missing (needs y and w, has {found})")
-    index = [header.index("y"), header.index("w")]
-    table = [
-        [_number(row, i, f"{name}, line {k}") for i in index]
-        for (k, _), row in zip(lines[1:], rows[1:], strict=True)
-    ]
-    values = np.array(table, dtype=float).reshape(-1, 2)
-    if len(values) > 1 and values[0, 0] > values[-1, 0]:
-        values = values[::-1]
-    try:
-        return Profile(y=values[:, 0].copy(), z=values[:, 1].copy())
-    except ValueError as error:
-        raise ValueError(f"{name}: {error}") from None
-
-
-def _is_data(line: str) -> bool:
-    return bool(line.strip()) and not line.lstrip().startswith("#")
-
-
-def _number(row: list[str], column: int, where: str) -> float:
-    text = row[column].strip() if column < len(row) else ""
-    try:
-        value = float(text)
-    except ValueError:
-        value = np.nan
-    if not np.isfinite(value):
-        raise ValueError(f"{where}: {text!r} must be a finite number")
-    return value
+    whole = sheet.unfolded()
+    end = whole.grid.x[-1]
+    if not abs(x) <= end:
+        raise ValueError(f"x = {x:g}: must lie between -L/2 and L/2 = {end:g} (in units of W)")
+    line = whole.evaluate(np.array([x]), subdivided(whole.grid.y, per_cell))[:, 0, :]
+    return Profile(y=line[1], z=line[2], x=line[0])
 
 
 def cleaned(profile: Profile, samples: int = 4096) -> Profile:

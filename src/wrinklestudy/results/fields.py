@@ -67,9 +67,10 @@ def read_planar(path: Path | str) -> Planar:
         attrs["energy"],
         attrs["nominal_stress"],
         tuple(Iteration(*row) for row in data["history"].tolist()),
+        settings.symmetry,
     )
     modes = Modes(
-        settings.parity,
+        settings.symmetry,
         settings.bending,
         data["modes/squared_thickness"],
         space.field_from_nodes(data["modes/shapes"]),

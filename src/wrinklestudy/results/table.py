@@ -10,7 +10,10 @@ from collections.abc import Mapping, Sequence
 from os import fspath
 from typing import Any
 
-from wrinklestudy.metrics.measure import measure_position
+from wrinklestudy.fem.boundary import Symmetry
+from wrinklestudy.fem.grid import Grid
+from wrinklestudy.metrics.interpolant import DeformedSheet
+from wrinklestudy.metrics.measure import measure_sheet
 from wrinklestudy.metrics.surface import sheet_peak
 from wrinklestudy.results.files import atomic_path, read_h5, read_json
 from wrinklestudy.typing import AnyPath
@@ -128,14 +131,15 @@ def row_of_state(
 def _measured(datasets: Mapping[str, Any], attrs: Mapping[str, Any], name: str) -> dict[str, Any]:
     grid_x, grid_y, position = (datasets[key] for key in _GEOMETRY)
     flat = attrs["status"] == "flat"
-    if flat:
-        position = position.copy()
-        position[2] = 0.0  # what is left of a seed that decayed is no wrinkle
     try:
-        found = measure_position(grid_x, grid_y, position, attrs["parity"])
+        symmetry = Symmetry.mirrored(attrs["parity"])
+        sheet = DeformedSheet(Grid(grid_x, grid_y), position, symmetry)
+        if flat:
+            sheet = sheet.flattened()  # what is left of a seed that decayed is no wrinkle
+        found = measure_sheet(sheet)
     except ValueError as error:
         raise ValueError(f"{name}: {error}") from None
-    peak = sheet_peak(grid_x, grid_y, position)
+    peak = sheet_peak(sheet)
     thickness, length = attrs["thickness"], attrs["aspect"]
     values = (
         found.amplitude / thickness,

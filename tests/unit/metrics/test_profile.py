@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from scipy.special import ellipeinc
 
 from wrinklestudy.metrics.measure import measure, prominent
-from wrinklestudy.metrics.profile import Profile, cleaned, read_profile_csv
+from wrinklestudy.metrics.profile import Profile, cleaned
 
 sinusoids = {
     "amplitude": st.floats(1e-4, 0.02),
@@ -146,53 +146,6 @@ def test_a_noisy_tilted_scan_measures_like_the_clean_profile():
     assert found.wavelength == pytest.approx(reference.wavelength, rel=0.02)
     assert found.phi_squared == pytest.approx(reference.phi_squared, rel=0.06)
     assert measure(scan).phi_squared > 2.0 * reference.phi_squared  # why it has to be cleaned
-
-
-def test_a_scan_file_is_read_in_any_direction(tmp_path):
-    exact = wave_packet(points=401)
-    for name, step in (("up", 1), ("down", -1)):
-        rows = zip(exact.z[::step], exact.y[::step], strict=True)
-        lines = [f"{w!r}, {y!r}, 1" for w, y in ((float(w), float(y)) for w, y in rows)]
-        path = tmp_path / f"{name}.csv"
-        path.write_text("# laser scan, x = 0\n\nw, y, exposure\n" + "\n".join(lines))
-        found = read_profile_csv(path)
-        assert np.array_equal(found.y, exact.y)
-        assert np.array_equal(found.z, exact.z)
-
-
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("", "column 'y' is missing"),
-        ("# only a comment\n", "column 'y' is missing"),
-        ("y,z\n1,2\n", "column 'w' is missing"),
-        ("# scan\ny,w\n0,0\n1,high\n", "line 4: 'high' must be a finite number"),
-        ("y,w\n0,0\n1\n", "line 3: '' must be a finite number"),
-        ("y,w\n0,0\n1,inf\n", "line 3: 'inf' must be a finite number"),
-        ("y,w\n0,0\n1,0\n", "2 points, at least 8"),
-        ("y,w\n" + "0,0\n" * 9, "y must increase strictly"),
-    ],
-)
-def test_a_bad_scan_file_gets_one_line_that_names_it(tmp_path, text, message):
-    path = tmp_path / "scan.csv"
-    path.write_text(text)
-    with pytest.raises(ValueError, match=r"scan\.csv") as caught:
-        read_profile_csv(path)
-    assert message in str(caught.value)
-    assert "\n" not in str(caught.value)
-
-
-@settings(max_examples=60, deadline=None)
-@given(st.text(alphabet='yw,;. \n#0123456789-e"', max_size=120))
-def test_any_text_is_a_profile_or_a_one_line_error(tmp_path_factory, text):
-    path = tmp_path_factory.mktemp("scan") / "scan.csv"
-    path.write_text("y,w\n" + text)
-    message = ""
-    try:
-        assert np.isfinite(read_profile_csv(path).z).all()
-    except ValueError as error:
-        message = str(error)
-    assert not message or ("scan.csv" in message and "\n" not in message)
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,10 @@ from typing import Any
 
 import numpy as np
 
+from wrinklestudy.fem.boundary import Symmetry
+from wrinklestudy.fem.grid import Grid
 from wrinklestudy.material.result import Fit
+from wrinklestudy.metrics.interpolant import DeformedSheet
 from wrinklestudy.metrics.profile import Profile, profile_from_state
 from wrinklestudy.metrics.surface import SampledSurface, full_surface
 from wrinklestudy.results.files import read_h5
@@ -18,7 +21,7 @@ from wrinklestudy.study import measurements
 from wrinklestudy.study.figures.series import Series, number, read_series
 from wrinklestudy.study.figures.style import LAW_NAMES
 from wrinklestudy.study.measurements import Points, Scan, SheetSize
-from wrinklestudy.typing import Array
+from wrinklestudy.vocabulary import Parity
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +36,7 @@ class StateFile:
         Strain energy.
     status : str
         wrinkled, flat or not-converged.
-    parity : str
+    parity : {'antisymmetric', 'symmetric'}
         Of the wrinkle.
     datasets : dict
         Arrays of the file.
@@ -44,7 +47,7 @@ class StateFile:
     thickness: float
     law: str
     status: str
-    parity: str
+    parity: Parity
     datasets: dict[str, Any] = field(repr=False)
 
     @property
@@ -55,14 +58,15 @@ class StateFile:
 
     def profile(self, per_cell: int = 8) -> Profile:
         """Return the cross-section half-way between the clamps, in units of W."""
-        return profile_from_state(*self._geometry(), self.parity, per_cell=per_cell)
+        return profile_from_state(self._sheet(), per_cell=per_cell)
 
     def surface(self, per_cell: tuple[int, int]) -> SampledSurface:
         """Return the full deformed sheet, in units of W."""
-        return full_surface(*self._geometry(), self.parity, per_cell)
+        return full_surface(self._sheet(), per_cell)
 
-    def _geometry(self) -> tuple[Array, Array, Array]:
-        return self.datasets["grid/x"], self.datasets["grid/y"], self.datasets["position"]
+    def _sheet(self) -> DeformedSheet:
+        grid = Grid(self.datasets["grid/x"], self.datasets["grid/y"])
+        return DeformedSheet(grid, self.datasets["position"], Symmetry.mirrored(self.parity))
 
 
 @dataclass(frozen=True)
