@@ -21,7 +21,8 @@ from wrinklestudy.equilibrium.wrinkled import solve  # noqa: E402
 from wrinklestudy.fem.grid import MeshSettings, make_grid  # noqa: E402
 from wrinklestudy.fem.space import Space  # noqa: E402
 from wrinklestudy.mechanics.laws import Material, mooney_rivlin, neo_hookean, saint_venant_kirchhoff  # noqa: E402
-from wrinklestudy.metrics.measure import measure_position  # noqa: E402
+from wrinklestudy.metrics.interpolant import DeformedSheet  # noqa: E402
+from wrinklestudy.metrics.measure import measure_sheet  # noqa: E402
 from wrinklestudy.results.files import write_json  # noqa: E402
 
 LATEX = mooney_rivlin(6.21e4, 1.58e5)
@@ -70,7 +71,7 @@ def amplitudes(mesh: MeshSettings) -> dict[str, tuple[float, float]]:
             if state.status != "wrinkled" or state.position is None or planar.modes is None:
                 raise ArithmeticError(f"{name}, strain {strain:g}: {state.status} {state.reason}")
             nodes = space.nodes_from_field(state.position)
-            profile = measure_position(space.grid.x, space.grid.y, nodes, sheet.settings.parity)
+            profile = measure_sheet(DeformedSheet(space.grid, nodes, sheet.settings.symmetry))
             tau = planar.modes.critical_thickness
             found[f"{name} at {strain:g}"] = profile.amplitude / sheet.thickness, tau
     return found

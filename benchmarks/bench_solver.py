@@ -47,7 +47,7 @@ def setup(request: pytest.FixtureRequest) -> Setup:
     start = planar.solve(space, LATEX, STRAIN)
     state = wrinkled.solve(start, THICKNESS)
     assert state.status == "wrinkled"
-    problem = PlateProblem(start.flat, start.modes, THICKNESS)
+    problem = PlateProblem.of_flat(start.flat, start.modes, THICKNESS)
     unknowns = state.position[problem.assembler.free]
     return Setup(start, problem, unknowns, problem.derivatives(unknowns)[2])
 

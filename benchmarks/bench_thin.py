@@ -21,10 +21,12 @@ THICKNESSES = (1.0e-3, 1.0e-4, 2.0e-5)
 def solve(thickness: float) -> dict[str, Any]:
     """Solve one sheet and say what it took."""
     from wrinklestudy.equilibrium import newton, planar, wrinkled
+    from wrinklestudy.fem.boundary import QUARTER
     from wrinklestudy.fem.grid import make_grid
     from wrinklestudy.fem.space import Space
     from wrinklestudy.mechanics.laws import mooney_rivlin
-    from wrinklestudy.metrics.measure import measure_position
+    from wrinklestudy.metrics.interpolant import DeformedSheet
+    from wrinklestudy.metrics.measure import measure_sheet
 
     start = time.process_time()
     space = Space(make_grid(2.0, thickness))
@@ -35,11 +37,11 @@ def solve(thickness: float) -> dict[str, Any]:
     if state.position is None:
         raise ArithmeticError(f"t/W = {thickness:g}: {state.reason}")
     nodes = space.nodes_from_field(state.position)
-    profile = measure_position(space.grid.x, space.grid.y, nodes, "antisymmetric")
+    profile = measure_sheet(DeformedSheet(space.grid, nodes, QUARTER))
     return {
         "thickness": thickness,
         "cells": space.grid.cells,
-        "unknowns": int(space.free().sum()),
+        "unknowns": int(QUARTER.free(space).sum()),
         "status": state.status,
         "amplitude_over_thickness": profile.amplitude / thickness,
         "wavelength": profile.wavelength,

@@ -63,7 +63,7 @@ def euler(law: Law, bending: Bending, thickness: float, cells: int) -> Buckling:
     strain = float(optimize.brentq(softest, 0.5 * guess, 2.0 * guess, xtol=1e-12 * guess))
     position = affine(space, 1.0 - strain, 1.0)
     forces = Sheet(space, section, free, position).reactions(position[free])
-    end = space.edge_dofs("clamp", ["u"])
+    end = space.edge_dofs("right", ["u"])
     return Buckling(-2.0 * float(forces[0, end].sum()), strain)
 
 
@@ -126,7 +126,7 @@ def elastica(law: Law, bending: Bending, shortening: float, cells: int) -> Elast
     problem = Sheet(space, Section(law, STRIP_THICKNESS, bending), free, start)
     found = problem.solve()
     forces = problem.reactions(found[free])
-    end = space.edge_dofs("clamp", ["u"])
+    end = space.edge_dofs("right", ["u"])
     heights = space.nodes_from_field(found)[2, VALUE, :, 0]
     return Elastica(-2.0 * float(forces[0, end].sum()), abs(float(heights[0] - heights[-1])))
 

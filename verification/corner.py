@@ -18,10 +18,12 @@ from verification.singularity import (
     williams,
 )
 from wrinklestudy.equilibrium import flat, modes, planar, wrinkled
+from wrinklestudy.fem.boundary import QUARTER
 from wrinklestudy.fem.factorisation import make_indefinite_solver
 from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.space import Space
-from wrinklestudy.metrics.measure import measure_position
+from wrinklestudy.metrics.interpolant import DeformedSheet
+from wrinklestudy.metrics.measure import measure_sheet
 from wrinklestudy.study.figures import style
 
 THICKNESS = 1.0e-3
@@ -99,7 +101,7 @@ def _refined(space: Space, strain: float) -> dict[str, float]:
     if state.status != "wrinkled" or found.modes is None or state.position is None:
         raise ArithmeticError(f"strain {strain:g}: {state.status} {state.reason}")
     position = space.nodes_from_field(state.position)
-    measures = measure_position(space.grid.x, space.grid.y, position, found.settings.parity)
+    measures = measure_sheet(DeformedSheet(space.grid, position, found.settings.symmetry))
     values = (found.modes.critical_thickness, measures.amplitude, measures.phi_squared)
     return dict(zip(BARS, values, strict=True))
 
@@ -132,7 +134,7 @@ def _cell(space: Space) -> str:
 def _definiteness(space: Space, strain: float) -> tuple[float, int]:
     """Return the part of the area where the bending form is indefinite, and B's negative values."""
     state = flat.solve(space, MATERIAL.law, strain)
-    _, bent, _, points = modes.deflection_matrices(state, "thinning", "antisymmetric")
+    _, bent, _, points = modes.deflection_forms(state, "thinning", QUARTER)
     entries = [(a, b) for a in range(5) for b in range(a, 5)]
     form = np.zeros((*points.shape[1:], 3, 3))
     for row, (a, b) in zip(points, entries, strict=True):
@@ -142,7 +144,7 @@ def _definiteness(space: Space, strain: float) -> tuple[float, int]:
     measure = space.measure
     solver = make_indefinite_solver()
     solver.factorise(bent)
-    return float(measure[indefinite].sum() / measure.sum()), solver.negative
+    return float(measure[indefinite].sum() / measure.sum()), solver.negative_eigenvalues
 
 
 def _definiteness_study(spaces: Sequence[Space]) -> tuple[list[Check], Table]:

@@ -54,7 +54,7 @@ def _quarter_errors() -> list[tuple[str, float, float, float]]:
     state = flat.solve(space, law, strain)
     found = modes.critical_modes(state, count=3)
     seed = seed_position(state, found, seeds(found, thickness)[0])
-    problem = PlateProblem(state, found, thickness)
+    problem = PlateProblem.of_flat(state, found, thickness)
     return [*rows, ("wrinkled quarter, seed", *plate_errors(problem, seed[problem.assembler.free]))]
 
 

@@ -15,6 +15,7 @@ from verification.sheets import (
     quarter,
 )
 from wrinklestudy.equilibrium import flat, mirror_stability
+from wrinklestudy.equilibrium.mirror_stability import MirrorClass
 from wrinklestudy.equilibrium.planar import PlanarSettings
 from wrinklestudy.equilibrium.wrinkled import Equilibrium, solve
 from wrinklestudy.fem.assembly import Assembler
@@ -26,11 +27,11 @@ from wrinklestudy.mechanics import plate
 from wrinklestudy.mechanics.section import Section
 from wrinklestudy.typing import Array
 
-SLIDING = (True, False)  # the class that keeps the mirror x = 0 and breaks y = 0
+SLIDING = MirrorClass(keeps_x=True, keeps_y=False)
 THINNER = (4.0e-4, 2.0e-4)
 
 
-def name(kind: tuple[bool, bool]) -> str:
+def name(kind: MirrorClass) -> str:
     """Return a class of perturbations in words."""
     return ", ".join(f"{'keeps' if k else 'breaks'} {a}" for k, a in zip(kind, "xy", strict=True))
 
@@ -52,7 +53,7 @@ def whole_sheet_inertia(state: Equilibrium) -> int:
         keep[2 + axis] = slice(0, -1)
         nodes = np.concatenate([image[tuple(keep)], nodes], axis=2 + axis)
     free = np.ones((3, whole.size), dtype=bool)
-    for edge in ("middle", "clamp"):  # the two ends of the whole grid
+    for edge in ("left", "right"):  # the clamped ends
         free[:2, whole.edge_dofs(edge, ["u", "u_y"])] = False
         free[2, whole.edge_dofs(edge, ["u", "u_x", "u_y", "u_xy"])] = False
     bending = state.planar.settings.bending
@@ -60,7 +61,7 @@ def whole_sheet_inertia(state: Equilibrium) -> int:
     surface, slopes = plate.respond(section, whole.derivatives(whole.field_from_nodes(nodes)))
     solver = make_indefinite_solver()
     solver.factorise(Assembler(whole, free).tangent(plate.hessian(surface, slopes)))
-    return solver.negative
+    return solver.negative_eigenvalues
 
 
 def _mirrored(lines: Array) -> Array:
@@ -90,7 +91,7 @@ def checks() -> list[Check]:
     known = flat.solve(space, LATEX.law, strain)
     planar = [planar_state(known, LATEX, PlanarSettings(parity=parity)) for parity in PARITIES]
     sheet = solve(planar[0], thick)
-    for kind, other in zip(((True, True), SLIDING), planar, strict=True):
+    for kind, other in zip((MirrorClass(True, True), SLIDING), planar, strict=True):
         squared = float("nan") if other.modes is None else float(other.modes.squared[0])
         found = next(c for c in mirror_stability.classes(sheet) if c[:2] == kind)
         rows.append(

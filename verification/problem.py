@@ -1,18 +1,15 @@
 """The plate problem of the library with boundary conditions of one's own and a dead load."""
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import sparse
 
 from wrinklestudy.equilibrium import newton
+from wrinklestudy.equilibrium.energy import EnergyExpansion
 from wrinklestudy.equilibrium.problem import PlateProblem
-from wrinklestudy.fem.assembly import Assembler
 from wrinklestudy.fem.factorisation import make_solver
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics.section import Section
-from wrinklestudy.typing import Array
-
-Mask = NDArray[np.bool_]
+from wrinklestudy.typing import Array, Mask
 
 VALUE, SLOPE_X, SLOPE_Y, TWIST = range(4)
 
@@ -46,9 +43,7 @@ class Sheet(PlateProblem):
         position: Array,
         load: Array | None = None,
     ) -> None:
-        self.section = section
-        self.assembler = Assembler(space, free, 5)
-        self._prescribed = position.copy()
+        super().__init__(space, section, free, position)
         self._load = np.zeros(self.assembler.size) if load is None else load[free]
         self._matrix: sparse.csr_array | None = None
 
@@ -56,10 +51,11 @@ class Sheet(PlateProblem):
         """Return the potential energy, infinite where the surface degenerates."""
         return super().energy(unknowns) - float(self._load @ unknowns)
 
-    def derivatives(self, unknowns: Array) -> tuple[float, Array, sparse.csr_array]:
+    def derivatives(self, unknowns: Array) -> EnergyExpansion:
         """Return the potential energy, the residual and the upper triangle of the tangent."""
         energy, residual, tangent = super().derivatives(unknowns)
-        return energy - float(self._load @ unknowns), residual - self._load, tangent
+        work = float(self._load @ unknowns)
+        return EnergyExpansion(energy - work, residual - self._load, tangent)
 
     def shift(self) -> sparse.csr_array:
         """Return t^3 times the squares of the second derivatives of all components."""
@@ -86,12 +82,12 @@ class Sheet(PlateProblem):
         ArithmeticError
             If it is not found.
         """
-        start = self._prescribed[self.assembler.free]
+        start = self.prescribed[self.assembler.free]
         solver = make_solver()
-        found = newton.minimise(self, start, solver, newton.NewtonOptions(tolerance=rough))
-        if not found.converged:
-            raise ArithmeticError(f"no equilibrium: {found.reason}")
-        unknowns = found.unknowns
+        minimum = newton.minimise(self, start, solver, newton.NewtonOptions(tolerance=rough))
+        if not minimum.converged:
+            raise ArithmeticError(f"no equilibrium: {minimum.reason}")
+        unknowns = minimum.unknowns
         for _ in range(_MAX_STEPS):
             energy, residual, tangent = self.derivatives(unknowns)
             solver.factorise(tangent)

@@ -8,9 +8,8 @@ from verification.checks import Check, Table
 from verification.sheets import amplitude, energy_below
 from wrinklestudy.equilibrium.modes import Modes, pairs
 from wrinklestudy.equilibrium.planar import Planar
-from wrinklestudy.equilibrium.problem import PlateProblem
 from wrinklestudy.equilibrium.seeds import seed_position
-from wrinklestudy.equilibrium.wrinkled import Equilibrium, WrinkleSettings, _wrinkled
+from wrinklestudy.equilibrium.wrinkled import Equilibrium, WrinkleSettings, minimise_from
 from wrinklestudy.typing import Array
 
 SIZES = (0.3, 1.0, 3.0)  # of single modes, in parts of the amplitude that their own energy asks for
@@ -77,11 +76,10 @@ def minima(planar: Planar, thickness: float, sizes: tuple[float, ...] = SIZES) -
     """Minimise the energy from all `seeds` of a planar state."""
     if planar.flat is None or planar.modes is None:
         raise ValueError(f"no flat state: {planar.reason}")
-    problem = PlateProblem(planar.flat, planar.modes, thickness)
     states = []
     for name, q in seeds(planar.modes, thickness, sizes).items():
         start = seed_position(planar.flat, planar.modes, q)
-        states.append((name, _wrinkled(planar, problem, start, _SETTINGS)))
+        states.append((name, minimise_from(planar, thickness, start, _SETTINGS)))
     unstable = int(np.sum(planar.modes.squared > thickness**2))
     return Found(planar, thickness, unstable, tuple(states))
 

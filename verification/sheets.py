@@ -2,19 +2,19 @@
 
 from typing import NamedTuple
 
-import numpy as np
-
 from wrinklestudy.equilibrium import flat
-from wrinklestudy.equilibrium.modes import critical_modes, deflection_matrices
+from wrinklestudy.equilibrium.modes import critical_modes, deflection_forms
 from wrinklestudy.equilibrium.planar import Planar, PlanarSettings
 from wrinklestudy.equilibrium.wrinkled import Equilibrium, solve
+from wrinklestudy.fem.boundary import Symmetry
 from wrinklestudy.fem.factorisation import multiply
 from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics import plate
 from wrinklestudy.mechanics.laws import Material, mooney_rivlin, neo_hookean, saint_venant_kirchhoff
 from wrinklestudy.mechanics.section import Section
-from wrinklestudy.metrics.measure import measure_position
+from wrinklestudy.metrics.interpolant import DeformedSheet
+from wrinklestudy.metrics.measure import measure_sheet
 from wrinklestudy.typing import Array
 from wrinklestudy.vocabulary import Parity
 
@@ -35,7 +35,7 @@ def quarter(along: int, across: int, aspect: float = ASPECT, thickness: float = 
 
 def planar_state(state: flat.Flat, material: Material, settings: PlanarSettings) -> Planar:
     """Return the planar state that belongs to a flat state which is known already."""
-    modes = critical_modes(state, settings.bending, settings.parity, settings.modes)
+    modes = critical_modes(state, settings.bending, settings.symmetry, settings.modes)
     grid = state.space.grid
     return Planar(grid, material, "material", state.strain, settings, state, modes)
 
@@ -107,7 +107,7 @@ def amplitude(state: Equilibrium) -> float:
 def amplitude_of(space: Space, position: Array, parity: Parity) -> float:
     """Return A/W of a position on the mid-line."""
     nodes = space.nodes_from_field(position)
-    return measure_position(space.grid.x, space.grid.y, nodes, parity).amplitude
+    return measure_sheet(DeformedSheet(space.grid, nodes, Symmetry.mirrored(parity))).amplitude
 
 
 def energy_below(state: Equilibrium, reference: Equilibrium | None = None) -> float:
@@ -117,10 +117,7 @@ def energy_below(state: Equilibrium, reference: Equilibrium | None = None) -> fl
     agree in many digits keeps its own.
     """
     known, space, position = parts(state)
-    other = np.zeros_like(position)
-    other[:2] = known.position
-    if reference is not None:
-        other = parts(reference).position
+    other = known.sheet_position if reference is None else parts(reference).position
     section = Section(known.law, state.thickness, state.planar.settings.bending)
     above, below = (plate.energy(section, space.derivatives(p)) for p in (other, position))
     return float(((above - below) * space.measure).sum())
@@ -130,6 +127,6 @@ def bending_square(state: Equilibrium) -> float:
     """Return t^3 w.B w of the deflection of a state with the bending matrix of its flat state."""
     known, _, position = parts(state)
     settings = state.planar.settings
-    _, bent, assembler, _ = deflection_matrices(known, settings.bending, settings.parity)
-    deflection = position[2][assembler.free[0]]
-    return state.thickness**3 * float(deflection @ multiply(bent, deflection))
+    forms = deflection_forms(known, settings.bending, settings.symmetry)
+    deflection = position[2][forms.assembler.free[0]]
+    return state.thickness**3 * float(deflection @ multiply(forms.bending, deflection))

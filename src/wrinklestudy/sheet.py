@@ -9,7 +9,8 @@ from wrinklestudy.equilibrium import planar, stability, wrinkled
 from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics.laws import Material
-from wrinklestudy.metrics.measure import Measures, measure_position
+from wrinklestudy.metrics.interpolant import DeformedSheet
+from wrinklestudy.metrics.measure import Measures, measure_sheet
 from wrinklestudy.results.cases import resolved_thickness
 from wrinklestudy.results.fields import state_row
 from wrinklestudy.results.rows import StateRow, columns
@@ -133,8 +134,8 @@ class Sheet:
         seconds = perf_counter() - start
         measures = None
         if found.status != "not-converged" and found.position is not None:
-            grid, nodes = self.space.grid, self.space.nodes_from_field(found.position)
-            measures = measure_position(grid.x, grid.y, nodes, self.parity)
+            nodes = self.space.nodes_from_field(found.position)
+            measures = measure_sheet(DeformedSheet(self.space.grid, nodes, self.settings.symmetry))
         return State(strain, found, measures, seconds)
 
     def stability(self) -> stability.Stability:

@@ -9,6 +9,7 @@ do not depend on a path, and whether wrinkles appear and vanish without a jump. 
 (w: deflections at the n nodes), so that it passes folds, where the strain turns back.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -24,12 +25,44 @@ from wrinklestudy.typing import Array
 _ZERO = 1.0e-3
 
 
+class PathPoint(NamedTuple):
+    """Unknowns and strain of a sheet, or a direction in which both change."""
+
+    unknowns: Array
+    strain: float
+
+    def moved(self, along: "PathPoint", length: float = 1.0) -> "PathPoint":
+        """Return the point after a step in a direction."""
+        return PathPoint(
+            self.unknowns + length * along.unknowns, self.strain + length * along.strain
+        )
+
+    def minus(self, other: "PathPoint") -> "PathPoint":
+        """Return the direction from another point to this one."""
+        return PathPoint(self.unknowns - other.unknowns, self.strain - other.strain)
+
+
+class Corrected(NamedTuple):
+    """A point that the corrector converged to."""
+
+    point: PathPoint
+    iterations: int
+    unstable: int  # negative eigenvalues of the tangent at its strain
+
+
+class SpecialPoint(NamedTuple):
+    """Where something happens on a branch."""
+
+    kind: str  # 'fold', 'vanishing' or 'stability', see `Branch`
+    strain: float
+
+
 class BranchPoint(NamedTuple):
-    """One point of a branch."""
+    """One point of a branch as a row of its table."""
 
     strain: float
     amplitude: float  # largest |z| at the nodes over t, with the sign of the first point's peak
-    energy: float  # of the quarter sheet, mu W^3
+    energy: float  # of the part that is solved, mu W^3
     unstable: int  # negative eigenvalues of the tangent at this strain
     iterations: int
 
@@ -69,8 +102,8 @@ class Branch:
 
     Parameters
     ----------
-    points : tuple of Point
-    special : tuple of (kind, strain)
+    points : tuple of BranchPoint
+    special : tuple of SpecialPoint
         'fold' where the strain turns back, 'vanishing' where the amplitude passes zero (a pitchfork
         of the flat state), 'stability' where the number of unstable directions changes.
     reason : str
@@ -80,100 +113,109 @@ class Branch:
     """
 
     points: tuple[BranchPoint, ...]
-    special: tuple[tuple[str, float], ...]
+    special: tuple[SpecialPoint, ...]
     reason: str
     positions: tuple[Array, ...] = field(repr=False)
 
 
-class _Tracer:
-    """The extended system R(u, eps) = 0 on the dofs of one quarter sheet."""
+class ExtendedSystem:
+    """The system R(u, eps) = 0 of a sheet, with the measure of the arclength along its branches.
+
+    Parameters
+    ----------
+    planar : Planar
+        Of any strain of the sheet.
+    thickness : float
+        t/W.
+    options : ContinuationOptions
+
+    Raises
+    ------
+    ValueError
+        If there is no flat state.
+    """
 
     def __init__(self, planar: Planar, thickness: float, options: ContinuationOptions) -> None:
         if planar.flat is None or planar.modes is None:
             raise ValueError(f"no flat state to start from: {planar.reason}")
         self.options, self.thickness = options, thickness
-        self.space = planar.flat.space
-        self.problem = PlateProblem(planar.flat, planar.modes, thickness)
+        self.space, self.clamp = planar.flat.space, planar.modes.symmetry.clamp
+        self.problem = PlateProblem.of_flat(planar.flat, planar.modes, thickness)
         self.free = self.problem.assembler.free
         self.solver: IndefiniteSolver = make_indefinite_solver()
-        values = np.zeros((3, self.space.size), dtype=bool)
-        values[2, self.space.dofs.nodal_dofs[0]] = True
-        self.deflections = values[self.free]
+        at_nodes = np.zeros((3, self.space.size), dtype=bool)
+        at_nodes[2, self.space.dofs.nodal_dofs[0]] = True
+        self.deflections = at_nodes[self.free]  # which unknowns are deflections at the nodes
 
     def at(self, strain: float) -> PlateProblem:
-        """Return the problem with the clamp at a strain."""
-        clamped = self.space.coordinates[0].copy() * (1.0 + strain)
-        edge = self.space.edge_dofs("clamp", ["u"])
-        self.problem.prescribe(0, edge, clamped[edge])
+        """Return the problem with the clamp at a strain; it is the same object at every strain."""
+        self.problem.prescribe(self.clamp.position(self.space, strain))
         return self.problem
 
-    def load(self, unknowns: Array, strain: float, step: float = 1e-5) -> Array:
+    def load(self, point: PathPoint, step: float = 1e-5) -> Array:
         """Return dR/deps by a central difference (the clamp's part of the residual is smooth)."""
-        residuals = [self.at(strain + k * step).reactions(unknowns)[self.free] for k in (-1, 1)]
-        return (residuals[1] - residuals[0]) / (2.0 * step)
+        below, above = (
+            self.at(point.strain + k * step).reactions(point.unknowns)[self.free] for k in (-1, 1)
+        )
+        return (above - below) / (2.0 * step)
 
-    def product(self, a: tuple[Array, float], b: tuple[Array, float]) -> float:
+    def product(self, a: PathPoint, b: PathPoint) -> float:
         """Return the inner product of two directions in the measure of the arclength."""
         w = self.deflections
-        mean = float(a[0][w] @ b[0][w]) / (w.sum() * self.thickness**2)
-        return mean + a[1] * b[1] / self.options.strain_scale**2
+        mean = float(a.unknowns[w] @ b.unknowns[w]) / (w.sum() * self.thickness**2)
+        return mean + a.strain * b.strain / self.options.strain_scale**2
 
-    def tangent(
-        self, unknowns: Array, strain: float, along: tuple[Array, float]
-    ) -> tuple[Array, float]:
-        """Return the unit tangent of the branch that points along a direction."""
-        _, _, matrix = self.at(strain).derivatives(unknowns)
-        self.solver.factorise(matrix)
-        direction = (-self.solver.solve(self.load(unknowns, strain)), 1.0)
+    def unit(self, direction: PathPoint) -> PathPoint:
+        """Return a direction of unit length."""
         size = np.sqrt(self.product(direction, direction))
-        sign = np.sign(self.product(direction, along)) or 1.0
-        return sign * direction[0] / size, sign / size
+        return PathPoint(direction.unknowns / size, direction.strain / size)
 
-    def correct(
-        self, start: tuple[Array, float], along: tuple[Array, float]
-    ) -> tuple[Array, float, int, int] | None:
-        """Return unknowns, strain, iterations and unstable directions, or None if it fails."""
-        unknowns, strain = start[0].copy(), start[1]
-        w = self.deflections
+    def tangent(self, point: PathPoint, upward: bool) -> PathPoint:
+        """Return the unit tangent of the branch at a point, toward larger or smaller strains."""
+        self.solver.factorise(self.at(point.strain).derivatives(point.unknowns).tangent)
+        sign = 1.0 if upward else -1.0
+        return self.unit(PathPoint(-sign * self.solver.solve(self.load(point)), sign))
+
+    def correct(self, guess: PathPoint, along: PathPoint) -> Corrected | None:
+        """Return the point of the branch that lies beside a guess, at right angles to a direction.
+
+        None if Newton's method does not converge or leaves the positive strains.
+        """
+        point = guess
         for iteration in range(1, self.options.max_iterations + 1):
-            _, residual, matrix = self.at(strain).derivatives(unknowns)
-            self.solver.factorise(matrix)
-            load = self.load(unknowns, strain)
-            change, response = self.solver.solve(np.column_stack([-residual, -load])).T
-            ahead = (unknowns - start[0], strain - start[1])
-            missing = -self.product(along, ahead) - self.product(along, (change, 0.0))
-            shift = missing / self.product(along, (response, 1.0))
-            step = change + shift * response
-            unknowns, strain = unknowns + step, strain + shift
-            if not (np.isfinite(strain) and strain > 0.0):
+            here = self.at(point.strain).derivatives(point.unknowns)
+            self.solver.factorise(here.tangent)
+            columns = np.column_stack([-here.residual, -self.load(point)])
+            change, response = self.solver.solve(columns).T
+            missing = -self.product(along, point.minus(guess)) - self.product(
+                along, PathPoint(change, 0.0)
+            )
+            shift = missing / self.product(along, PathPoint(response, 1.0))
+            step = PathPoint(change + shift * response, shift)
+            point = point.moved(step)
+            if not (np.isfinite(point.strain) and point.strain > 0.0):
                 return None
-            if np.abs(step[w]).max() < self.options.tolerance * self.thickness:
-                return unknowns, strain, iteration, self.solver.negative
+            largest = np.abs(step.unknowns[self.deflections]).max()
+            if largest < self.options.tolerance * self.thickness:
+                return Corrected(point, iteration, self.solver.negative_eigenvalues)
         return None
 
     def advance(
-        self, last: tuple[Array, float], along: tuple[Array, float], step: float
-    ) -> tuple[tuple[Array, float, int, int] | None, float]:
+        self, last: PathPoint, along: PathPoint, step: float
+    ) -> tuple[Corrected | None, float]:
         """Return the next point, None if every step failed, and the step that led to it."""
         while step >= self.options.smallest_step:
-            guess = (last[0] + step * along[0], last[1] + step * along[1])
-            if found := self.correct(guess, along):
-                return found, step
+            corrected = self.correct(last.moved(along, step), along)
+            if corrected is not None:
+                return corrected, step
             step /= 2.0
         return None, step
 
-    def secant(self, last: tuple[Array, float], now: tuple[Array, float]) -> tuple[Array, float]:
-        """Return the unit direction from one point to the next."""
-        ahead = (now[0] - last[0], now[1] - last[1])
-        size = np.sqrt(self.product(ahead, ahead))
-        return ahead[0] / size, ahead[1] / size
-
-    def point(self, unknowns: Array, strain: float, iterations: int, unstable: int) -> BranchPoint:
-        """Return the row of the table."""
-        deflection = unknowns[self.deflections]
-        largest = float(deflection[np.abs(deflection).argmax()])
-        energy = self.at(strain).energy(unknowns)
-        return BranchPoint(strain, largest / self.thickness, energy, unstable, iterations)
+    def row(self, point: PathPoint, iterations: int, unstable: int) -> BranchPoint:
+        """Return the row of the table, the amplitude without its sign."""
+        amplitude = float(np.abs(point.unknowns[self.deflections]).max()) / self.thickness
+        energy = self.at(point.strain).energy(point.unknowns)
+        return BranchPoint(point.strain, amplitude, energy, unstable, iterations)
 
 
 def trace(
@@ -192,7 +234,7 @@ def trace(
         Smallest and largest strain; the branch ends beyond them or where the amplitude passes zero.
     upward : bool
         Toward larger strains first.
-    options : Options, optional
+    options : ContinuationOptions, optional
 
     Raises
     ------
@@ -202,51 +244,54 @@ def trace(
     if start.status != "wrinkled" or start.position is None:
         raise ValueError(f"start: status {start.status!r}, must be a wrinkled state")
     options = options or ContinuationOptions()
-    tracer = _Tracer(start.planar, start.thickness, options)
-    unknowns, strain = start.position[tracer.free], start.planar.strain
-    first = unknowns[tracer.deflections]
-    along = tracer.tangent(unknowns, strain, (np.zeros_like(unknowns), 1.0 if upward else -1.0))
-    row = tracer.point(unknowns, strain, 0, tracer.solver.negative)
-    points = [row._replace(amplitude=abs(row.amplitude))]
-    positions, step = [start.position], options.step
-    reason = f"{options.max_points} points"
-    while len(points) < options.max_points:
-        found, step = tracer.advance((unknowns, strain), along, step)
-        if found is None:
+    system = ExtendedSystem(start.planar, start.thickness, options)
+    point = PathPoint(start.position[system.free], start.planar.strain)
+    first = point.unknowns[system.deflections]
+    along = system.tangent(point, upward)
+    rows = [system.row(point, 0, system.solver.negative_eigenvalues)]
+    positions, step, reason = [start.position], options.step, ""
+    while not reason and len(rows) < options.max_points:
+        corrected, step = system.advance(point, along, step)
+        if corrected is None:
             reason = "the step became too small"
             break
-        along = tracer.secant((unknowns, strain), found[:2])
-        unknowns, strain, iterations, unstable = found
-        row = tracer.point(unknowns, strain, iterations, unstable)
-        sign = np.sign(float(unknowns[tracer.deflections] @ first))
-        points.append(row._replace(amplitude=sign * abs(row.amplitude)))
-        positions.append(tracer.at(strain).position(unknowns))
-        if points[-1].amplitude <= _ZERO:
-            reason = "the amplitude vanishes"
-            break
-        if not strains[0] <= strain <= strains[1]:
-            reason = "end of the range of strains"
-            break
+        along = system.unit(corrected.point.minus(point))
+        point, iterations, unstable = corrected
+        row = system.row(point, iterations, unstable)
+        sign = np.sign(float(point.unknowns[system.deflections] @ first))
+        rows.append(row._replace(amplitude=sign * row.amplitude))
+        positions.append(system.at(point.strain).position(point.unknowns))
+        reason = _end(rows[-1], strains)
         step = min(options.largest_step, step * (1.5 if iterations <= 4 else 0.8))
-    return Branch(tuple(points), _special(points), reason, tuple(positions))
+    reason = reason or f"{options.max_points} points"
+    return Branch(tuple(rows), special_points(rows), reason, tuple(positions))
 
 
-def _special(points: list[BranchPoint]) -> tuple[tuple[str, float], ...]:
-    """Return folds, the pitchfork where the amplitude vanishes, and changes of stability."""
-    found: list[tuple[str, float]] = []
+def _end(row: BranchPoint, strains: tuple[float, float]) -> str:
+    """Return why a branch ends at a point, empty if it goes on."""
+    if row.amplitude <= _ZERO:
+        return "the amplitude vanishes"
+    if not strains[0] <= row.strain <= strains[1]:
+        return "end of the range of strains"
+    return ""
+
+
+def special_points(points: Sequence[BranchPoint]) -> tuple[SpecialPoint, ...]:
+    """Return the special points of a branch, see `Branch`."""
+    special: list[SpecialPoint] = []
     wrinkled = [p for p in points if p.amplitude > _ZERO]
     if len(points) >= 3 and points[-1].amplitude <= _ZERO:
-        found.append(("vanishing", _vanishing(wrinkled)))
+        special.append(SpecialPoint("vanishing", _vanishing(wrinkled)))
     for k in range(1, len(wrinkled)):
         last, now = wrinkled[k - 1], wrinkled[k]
         if k >= 2 and (now.strain - last.strain) * (last.strain - wrinkled[k - 2].strain) < 0:
-            found.append(("fold", last.strain))
+            special.append(SpecialPoint("fold", last.strain))
         if now.unstable != last.unstable:
-            found.append(("stability", 0.5 * (last.strain + now.strain)))
-    return tuple(found)
+            special.append(SpecialPoint("stability", 0.5 * (last.strain + now.strain)))
+    return tuple(special)
 
 
-def _vanishing(points: list[BranchPoint]) -> float:
+def _vanishing(points: Sequence[BranchPoint]) -> float:
     """Return where A^2, which is linear in the strain at a pitchfork, vanishes."""
     a, b = points[-2], points[-1]
     return b.strain + b.amplitude**2 * (b.strain - a.strain) / (a.amplitude**2 - b.amplitude**2)

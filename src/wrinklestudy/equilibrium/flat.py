@@ -6,7 +6,9 @@ import numpy as np
 from scipy import sparse
 
 from wrinklestudy.equilibrium import newton
-from wrinklestudy.fem.assembly import shared_assembler
+from wrinklestudy.equilibrium.energy import EnergyExpansion
+from wrinklestudy.fem.assembly import Assembler, shared_assembler
+from wrinklestudy.fem.boundary import QUARTER, Symmetry
 from wrinklestudy.fem.grid import Grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics import membrane
@@ -27,7 +29,7 @@ class NotConvergedError(ArithmeticError):
 
 @dataclass(frozen=True)
 class Flat:
-    """Flat equilibrium of the quarter sheet.
+    """Flat equilibrium of the part of the sheet that is solved.
 
     Parameters
     ----------
@@ -38,10 +40,12 @@ class Flat:
     position : (2, size) array
         In-plane position x, y as dof vectors, in units of W.
     energy : float
-        Energy of the quarter for each unit of thickness, in units of mu W^2.
+        Energy of that part for each unit of thickness, in units of mu W^2.
     force : float
         Nominal stress at the clamp, force / (W t), in units of mu.
     history : tuple of newton.Iteration
+    symmetry : Symmetry
+        Mirrors and clamps of x and y; what it says of z is not used.
     """
 
     space: Space
@@ -51,15 +55,33 @@ class Flat:
     energy: float
     force: float
     history: tuple[newton.Iteration, ...]
+    symmetry: Symmetry = QUARTER
+
+    @property
+    def sheet_position(self) -> Array:
+        """Position with the deflection z = 0 as the third component, (3, size)."""
+        return np.concatenate([self.position, np.zeros((1, self.space.size))])
 
 
 class MembraneProblem:
-    """Energy of the flat sheet, for each unit of thickness, over its free dofs."""
+    """Energy of the flat sheet, for each unit of thickness, over its free dofs.
 
-    def __init__(self, space: Space, law: Law, prescribed: Array) -> None:
+    Parameters
+    ----------
+    space : Space
+    law : Law
+    prescribed : (2, size) array
+        A position; its values at the dofs that are not free hold.
+    symmetry : Symmetry
+    """
+
+    def __init__(
+        self, space: Space, law: Law, prescribed: Array, symmetry: Symmetry = QUARTER
+    ) -> None:
         self.law = law
         self.prescribed = prescribed
-        self.assembler = shared_assembler(space, space.free()[:2], 2)
+        self.symmetry = symmetry
+        self.assembler = membrane_assembler(space, symmetry)
 
     def position(self, unknowns: Array) -> Array:
         """Return the dof vectors (2, size) with the prescribed values in place."""
@@ -75,7 +97,7 @@ class MembraneProblem:
             return np.inf
         return float((membrane.energy(self.law, gradient) * space.measure).sum())
 
-    def derivatives(self, unknowns: Array) -> tuple[float, Array, sparse.csr_array]:
+    def derivatives(self, unknowns: Array) -> EnergyExpansion:
         """Return the energy, the residual and the upper triangle of the tangent."""
         space, assembler = self.assembler.space, self.assembler
         density, slope, blocks = membrane.expansion(
@@ -83,7 +105,7 @@ class MembraneProblem:
         )
         energy = float((density * space.measure).sum())
         residual = assembler.residual(slope)[assembler.free]
-        return energy, residual, assembler.tangent(blocks)
+        return EnergyExpansion(energy, residual, assembler.tangent(blocks))
 
     def residual(self, unknowns: Array) -> Array:
         """Return the residual alone."""
@@ -100,16 +122,20 @@ class MembraneProblem:
         return None
 
     def force(self, unknowns: Array) -> float:
-        """Return the nominal stress at the clamp in units of mu: twice the quarter's reaction."""
-        clamp = self.assembler.space.edge_dofs("clamp", ["u"])
-        return 2.0 * float(self.reactions(unknowns)[0, clamp].sum())
+        """Return the nominal stress at the clamp in units of mu."""
+        return self.symmetry.clamp.force(self.assembler.space, self.reactions(unknowns))
 
 
-def stretched(space: Space, strain: float) -> Array:
+def membrane_assembler(space: Space, symmetry: Symmetry) -> Assembler:
+    """Return the assembler of energies of the in-plane position."""
+    return shared_assembler(space, symmetry.free(space)[:2], 2)
+
+
+def stretched(space: Space, strain: float, symmetry: Symmetry = QUARTER) -> Array:
     """Return a first guess of the flat state: uniaxial stretch that is held at the clamp.
 
     x = (1 + eps) X and y = c(X) Y with c = 1 + ((1 + eps)^(-1/2) - 1)(1 - exp(-d/l)) at the
-    distance d from the clamp. Prescribed degrees of freedom have their exact values.
+    distance d from the last clamp. Prescribed degrees of freedom have their exact values.
     """
     values = np.zeros((2, 4, len(space.grid.x), len(space.grid.y)))
     x, y = space.grid.x[:, None], space.grid.y[None, :]
@@ -121,10 +147,8 @@ def stretched(space: Space, strain: float) -> Array:
     values[1, 2] = 1.0 + far * (1.0 - decay)
     values[1, 3] = -far * decay / _CLAMP_ZONE
     guess = space.field_from_nodes(values)
-    fixed = ~space.free()[:2]
-    clamped = space.coordinates[:2].copy()
-    clamped[0] *= 1.0 + strain
-    guess[fixed] = clamped[fixed]
+    held = ~symmetry.free(space)[:2]
+    guess[held] = symmetry.clamp.position(space, strain)[:2][held]
     return guess
 
 
@@ -133,18 +157,21 @@ def solve(
     law: Law,
     strain: float,
     options: newton.NewtonOptions | None = None,
+    symmetry: Symmetry = QUARTER,
 ) -> Flat:
     """Return the flat equilibrium of a clamped sheet stretched by a strain.
 
     Parameters
     ----------
     grid : Grid or Space
-        Grid of the quarter sheet.
+        Grid of the part of the sheet that is solved.
     law : Law
         Dimensionless material law.
     strain : float
         eps of the clamps, > -1.
     options : newton.NewtonOptions, optional
+    symmetry : Symmetry
+        Mirrors that bound the grid.
 
     Raises
     ------
@@ -153,33 +180,37 @@ def solve(
     """
     space = grid if isinstance(grid, Space) else Space(grid)
     options = options or newton.NewtonOptions(noise=ROUNDING)
-    problem = MembraneProblem(space, law, stretched(space, strain))
-    found = _load(problem, strain, options)
-    if not found.converged:
-        raise NotConvergedError(f"flat state at strain {strain:g}: {found.reason}")
-    position, force = problem.position(found.unknowns), problem.force(found.unknowns)
-    return Flat(space, law, strain, position, found.energy, force, found.history)
+    problem = MembraneProblem(space, law, stretched(space, strain, symmetry), symmetry)
+    minimum = _load(problem, strain, options)
+    if not minimum.converged:
+        raise NotConvergedError(f"flat state at strain {strain:g}: {minimum.reason}")
+    position, force = problem.position(minimum.unknowns), problem.force(minimum.unknowns)
+    return Flat(space, law, strain, position, minimum.energy, force, minimum.history, symmetry)
 
 
 def _load(problem: MembraneProblem, strain: float, options: newton.NewtonOptions) -> newton.Minimum:
     """Minimise from the first guess; where that fails approach the strain in steps."""
     free, space = problem.assembler.free, problem.assembler.space
-    solver = problem.assembler.solver
-    found = newton.minimise(problem, problem.prescribed[free], solver, options)
-    done, step, correction = 0.0, 0.5 * strain, np.zeros_like(problem.prescribed)
-    while not found.converged and abs(step) >= _SMALLEST_LOAD:
-        last = abs(strain - done) <= 1.5 * abs(step)
-        target = strain if last else done + step
-        part = problem
+    solver, symmetry = problem.assembler.solver, problem.symmetry
+    at_once = newton.minimise(problem, problem.prescribed[free], solver, options)
+    if at_once.converged:
+        return at_once
+    reached, step, correction = 0.0, 0.5 * strain, np.zeros_like(problem.prescribed)
+    while abs(step) >= _SMALLEST_LOAD:
+        last = abs(strain - reached) <= 1.5 * abs(step)
+        target = strain if last else reached + step
+        loaded = problem
         if not last:
-            part = MembraneProblem(space, problem.law, stretched(space, target))
+            guess = stretched(space, target, symmetry)
+            loaded = MembraneProblem(space, problem.law, guess, symmetry)
         # What the load so far did to the sheet beyond the first guess of its strain
-        guess = (part.prescribed + correction)[free]
-        there = newton.minimise(part, guess, solver, options)
-        if not there.converged:
+        start = (loaded.prescribed + correction)[free]
+        minimum = newton.minimise(loaded, start, solver, options)
+        if not minimum.converged:
             step *= 0.5
         elif last:
-            return there
+            return minimum
         else:
-            done, correction = target, part.position(there.unknowns) - part.prescribed
-    return found
+            reached = target
+            correction = loaded.position(minimum.unknowns) - loaded.prescribed
+    return at_once

@@ -9,20 +9,27 @@ from collections.abc import Callable, Collection
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import sparse
 
-from wrinklestudy.equilibrium.modes import deflection_matrices
+from wrinklestudy.equilibrium.modes import deflection_forms
 from wrinklestudy.equilibrium.wrinkled import Equilibrium
 from wrinklestudy.fem.assembly import Assembler
 from wrinklestudy.fem.factorisation import make_indefinite_solver, symmetric
 from wrinklestudy.mechanics import plate
 from wrinklestudy.mechanics.section import Section
-from wrinklestudy.typing import Array
+from wrinklestudy.typing import Array, Mask
 
-# (keeps the mirror x = 0, keeps the mirror y = 0)
-MirrorClass = tuple[bool, bool]
-CLASSES: tuple[MirrorClass, ...] = ((True, True), (True, False), (False, True), (False, False))
+
+class MirrorClass(NamedTuple):
+    """Perturbations that keep or break each mirror of the state."""
+
+    keeps_x: bool  # X = 0
+    keeps_y: bool  # Y = 0
+
+
+CLASSES = tuple(
+    MirrorClass(keeps_x, keeps_y) for keeps_x in (True, False) for keeps_y in (True, False)
+)
 
 
 class ClassStability(NamedTuple):
@@ -49,9 +56,9 @@ def classes(
     ----------
     state : Equilibrium
         A wrinkled state.
-    kinds : collection of (keeps_x, keeps_y)
+    kinds : collection of MirrorClass
         The classes, all four by default.
-    eigenvalues : collection of (keeps_x, keeps_y)
+    eigenvalues : collection of MirrorClass
         Those for which to compute `softest`; NaN for the others.
 
     Raises
@@ -66,25 +73,25 @@ def classes(
         raise ValueError("the state has no flat state")
     section = Section(flat.law, state.thickness, settings.bending)
     surface, slopes = plate.respond(section, flat.space.derivatives(state.position))
-    found = []
-    for keeps_x, keeps_y in kinds:
-        free = flat.space.free(settings.parity, keeps_x, keeps_y)
-        tangent = Assembler(flat.space, free, 5).tangent(plate.hessian(surface, slopes))
+    hessian = plate.hessian(surface, slopes)
+    stabilities = []
+    for kind in kinds:
+        perturbations = settings.symmetry.broken(kind.keeps_x, kind.keeps_y)
+        free = perturbations.free(flat.space)
+        tangent = Assembler(flat.space, free).tangent(hessian)
         solver = make_indefinite_solver()
         solver.factorise(tangent)
         softest = float("nan")
-        if (keeps_x, keeps_y) in eigenvalues:
-            _, bent, _, _ = deflection_matrices(
-                flat, settings.bending, settings.parity, keeps_x, keeps_y
-            )
+        if kind in eigenvalues:
+            bent = deflection_forms(flat, settings.bending, perturbations).bending
             softest = _softest(tangent, free, state.thickness**3 * bent, solver.solve)
-        found.append(ClassStability(keeps_x, keeps_y, solver.negative, softest))
-    return found
+        stabilities.append(ClassStability(*kind, solver.negative_eigenvalues, softest))
+    return stabilities
 
 
 def _softest(
     tangent: sparse.csr_array,
-    free: NDArray[np.bool_],
+    free: Mask,
     bent: sparse.csr_array,
     solve: Callable[[Array], Array],
 ) -> float:
@@ -92,13 +99,12 @@ def _softest(
     from scipy.sparse.linalg import LinearOperator, eigsh
 
     size, deflections = tangent.shape[0], int(free[2].sum())
-
     whole = symmetric(bent)
 
     def mass(vector: Array) -> Array:
-        result = np.zeros_like(vector)
-        result[-deflections:] = whole @ vector[-deflections:]
-        return result
+        product = np.zeros_like(vector)
+        product[-deflections:] = whole @ vector[-deflections:]
+        return product
 
     def operator(action: Callable[[Array], Array]) -> LinearOperator:
         return LinearOperator((size, size), matvec=action, dtype=np.float64)

@@ -10,22 +10,22 @@ second order, the energy above the flat state is, for each unit of thickness,
     1/2 sum (t^2 - tau_i^2) q_i^2 + 1/2 sum z_P G_PQ z_Q,    z_P = q_i q_j for the pair P = (i, j).
 
 All but t is independent of the thickness, so that it seeds the wrinkled state of every sheet
-(`reduced`).
+(`seeds`).
 """
 
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import sparse
 
-from wrinklestudy.equilibrium.flat import Flat
+from wrinklestudy.equilibrium.flat import Flat, membrane_assembler
 from wrinklestudy.fem.assembly import Assembler, shared_assembler
-from wrinklestudy.fem.factorisation import NotPositiveDefiniteError, Solver, symmetric
+from wrinklestudy.fem.boundary import QUARTER, Symmetry
+from wrinklestudy.fem.factorisation import NotPositiveDefiniteError, symmetric
 from wrinklestudy.mechanics import membrane, plate
-from wrinklestudy.typing import Array
-from wrinklestudy.vocabulary import Bending, Parity
+from wrinklestudy.typing import Array, Mask
+from wrinklestudy.vocabulary import Bending
 
 # A mode is one of the corner when more than half of its bending energy sits beyond these parts of
 # half the length and half the width.
@@ -43,12 +43,12 @@ _EIGENVALUE_TOLERANCE = 1.0e-10
 
 @dataclass(frozen=True)
 class Modes:
-    """Leading modes of a flat state within one parity.
+    """Leading modes of a flat state within one symmetry.
 
     Parameters
     ----------
-    parity : {'antisymmetric', 'symmetric'}
-        Of the deflection across y = 0.
+    symmetry : Symmetry
+        Of the sheet with these deflections.
     bending : {'thinning', 'fixed-thickness', 'fvk'}
         The bending law.
     squared : (m,) array
@@ -63,7 +63,7 @@ class Modes:
         In-plane displacement that belongs to z_P = 1.
     """
 
-    parity: Parity
+    symmetry: Symmetry
     bending: Bending
     squared: Array
     shapes: Array
@@ -77,7 +77,7 @@ class Modes:
         return np.sqrt(np.maximum(self.squared, 0.0))
 
     @property
-    def wrinkles(self) -> NDArray[np.bool_]:
+    def wrinkles(self) -> Mask:
         """Which modes are wrinkles of the sheet, not flaps of its corners."""
         return self.corner < CORNER_PART
 
@@ -87,24 +87,38 @@ class Modes:
         return float(self.thickness[self.wrinkles].max(initial=0.0))
 
 
-def deflection_matrices(
-    flat: Flat,
-    bending: Bending,
-    parity: Parity,
-    keeps_x: bool = True,
-    keeps_y: bool = True,
-) -> tuple[sparse.csr_array, sparse.csr_array, Assembler, Array]:
-    """Return the upper triangles of S and B, their assembler and the point values of B."""
+class DeflectionForms(NamedTuple):
+    """Stress S and bending B of small deflections of a flat state."""
+
+    stress: sparse.csr_array  # upper triangle of S
+    bending: sparse.csr_array  # upper triangle of B
+    assembler: Assembler  # of the free deflections
+    points: Array  # point values of B, (15, nq, ne)
+
+    def shifted(self, sigma: float) -> sparse.csr_array:
+        """Return the upper triangle of S + sigma B."""
+        data = self.stress.data + sigma * self.bending.data
+        pattern = (self.stress.indices, self.stress.indptr)
+        return sparse.csr_array((data, *pattern), shape=self.stress.shape)
+
+
+def deflection_forms(flat: Flat, bending: Bending, symmetry: Symmetry) -> DeflectionForms:
+    """Return S and B of a flat state on the deflections that a symmetry leaves free.
+
+    Raises
+    ------
+    ArithmeticError
+        If the bending law has no value at the flat state.
+    """
     space = flat.space
-    position = np.zeros((3, space.size))
-    position[:2] = flat.position
-    stress, bent = plate.deflection(flat.law, bending, space.derivatives(position))
+    stress, bent = plate.deflection(flat.law, bending, space.derivatives(flat.sheet_position))
     if not np.isfinite(bent).all():
         raise ArithmeticError(
             f"flat state at strain {flat.strain:g}: the law leaves no thickness somewhere"
         )
-    assembler = shared_assembler(space, space.free(parity, keeps_x, keeps_y)[2:])
-    return assembler.tangent([stress]), assembler.tangent([bent.copy()]), assembler, bent
+    assembler = shared_assembler(space, symmetry.free(space)[2:])
+    matrices = (assembler.tangent([stress]), assembler.tangent([bent]))
+    return DeflectionForms(*matrices, assembler, bent)
 
 
 class Spectrum(NamedTuple):
@@ -118,7 +132,7 @@ class Spectrum(NamedTuple):
 def spectrum(
     flat: Flat,
     bending: Bending = "thinning",
-    parity: Parity = "antisymmetric",
+    symmetry: Symmetry = QUARTER,
     count: int = 8,
 ) -> Spectrum:
     """Return the largest critical thicknesses of a flat state and their modes, see `Modes`.
@@ -129,8 +143,8 @@ def spectrum(
         The flat equilibrium.
     bending : {'thinning', 'fixed-thickness', 'fvk'}
         The bending law.
-    parity : {'antisymmetric', 'symmetric'}
-        Of the deflection across y = 0.
+    symmetry : Symmetry
+        Of the sheet with these deflections.
     count : int
         Number of modes.
 
@@ -139,16 +153,16 @@ def spectrum(
     ArithmeticError
         If the flat sheet is unstable at any thickness up to W.
     """
-    stress, bent, assembler, points = deflection_matrices(flat, bending, parity)
+    forms = deflection_forms(flat, bending, symmetry)
     trial = min(_FIRST_TRIAL, max(_TRIAL_OVER_ROOT * abs(flat.strain) ** 0.5, _SMALLEST_TRIAL))
-    squared, vectors = _eigen(stress, bent, count, assembler.solver, trial)
+    squared, vectors = _eigen(forms, count, trial)
     shapes = np.zeros((count, flat.space.size))
-    shapes[:, assembler.free[0]] = vectors.T
-    return Spectrum(squared, shapes, _corner_part(flat, points, shapes))
+    shapes[:, forms.assembler.free[0]] = vectors.T
+    return Spectrum(squared, shapes, _corner_part(flat, forms.points, shapes))
 
 
 def critical_thickness(
-    flat: Flat, bending: Bending = "thinning", parity: Parity = "antisymmetric"
+    flat: Flat, bending: Bending = "thinning", symmetry: Symmetry = QUARTER
 ) -> float:
     """Return tau_1, the largest critical thickness of a wrinkle, in units of W.
 
@@ -156,7 +170,7 @@ def critical_thickness(
     """
     count = 2
     while True:
-        squared, _, corner = spectrum(flat, bending, parity, count)
+        squared, _, corner = spectrum(flat, bending, symmetry, count)
         wrinkles = squared[corner < CORNER_PART]
         if len(wrinkles) > 0 or squared[-1] <= 0.0:
             return float(np.sqrt(max(wrinkles.max(initial=0.0), 0.0)))
@@ -166,21 +180,19 @@ def critical_thickness(
 def critical_modes(
     flat: Flat,
     bending: Bending = "thinning",
-    parity: Parity = "antisymmetric",
+    symmetry: Symmetry = QUARTER,
     count: int = 8,
 ) -> Modes:
     """Return the leading modes of a flat state with the reduced energy of their amplitudes.
 
     See `spectrum` for the parameters and errors.
     """
-    squared, shapes, corner = spectrum(flat, bending, parity, count)
+    squared, shapes, corner = spectrum(flat, bending, symmetry, count)
     quartic, relaxation = _reduced(flat, shapes)
-    return Modes(parity, bending, squared, shapes, corner, quartic, relaxation)
+    return Modes(symmetry, bending, squared, shapes, corner, quartic, relaxation)
 
 
-def _eigen(
-    stress: sparse.csr_array, bent: sparse.csr_array, count: int, solver: Solver, trial: float
-) -> tuple[Array, Array]:
+def _eigen(forms: DeflectionForms, count: int, trial: float) -> tuple[Array, Array]:
     """Solve -S phi = mu B phi for the largest mu below a sigma that makes S + sigma B definite.
 
     The first sigma to try is the square of a trial thickness.
@@ -191,23 +203,13 @@ def _eigen(
     """
     from scipy.sparse.linalg import LinearOperator, eigsh
 
-    while True:
-        shifted = sparse.csr_array(
-            (stress.data + trial**2 * bent.data, stress.indices, stress.indptr), shape=stress.shape
-        )
-        try:
-            solver.factorise(shifted)
-            break
-        except NotPositiveDefiniteError:
-            trial *= 2.0
-            if trial > _LARGEST_TRIAL:
-                raise ArithmeticError("the flat sheet is unstable at any thickness") from None
-    size = stress.shape[0]
+    trial = _factorised_trial(forms, trial)
+    size = forms.assembler.size
     theta, vectors = eigsh(
-        symmetric(bent),
+        symmetric(forms.bending),
         k=count,
-        M=symmetric(shifted),
-        Minv=LinearOperator((size, size), matvec=solver.solve, dtype=np.float64),
+        M=symmetric(forms.shifted(trial**2)),
+        Minv=LinearOperator((size, size), matvec=forms.assembler.solver.solve, dtype=np.float64),
         which="LA",
         v0=np.ones(size),
         ncv=_LANCZOS * count,
@@ -222,6 +224,21 @@ def _eigen(
     return trial**2 - 1.0 / theta, vectors * np.sign(vectors[largest, np.arange(count)])
 
 
+def _factorised_trial(forms: DeflectionForms, trial: float) -> float:
+    """Return the first of the doubled trial thicknesses that makes S + trial^2 B definite.
+
+    The matrix is left factorised in the solver of the assembler.
+    """
+    while True:
+        try:
+            forms.assembler.solver.factorise(forms.shifted(trial**2))
+            return trial
+        except NotPositiveDefiniteError:
+            trial *= 2.0
+            if trial > _LARGEST_TRIAL:
+                raise ArithmeticError("the flat sheet is unstable at any thickness") from None
+
+
 def _corner_part(flat: Flat, bent: Array, shapes: Array) -> Array:
     """Return the part of the bending energy of each mode at the corner of the sheet."""
     space = flat.space
@@ -233,8 +250,8 @@ def _corner_part(flat: Flat, bent: Array, shapes: Array) -> Array:
     by_cell = (density * space.measure).sum(axis=1)
     x, y = np.meshgrid(space.grid.x[:-1], space.grid.y[:-1], indexing="ij")
     corner = (x > _CORNER[0] * space.grid.x[-1] - 1e-9) & (y > _CORNER[1] * space.grid.y[-1] - 1e-9)
-    part: Array = by_cell[:, corner.ravel()].sum(axis=1) / by_cell.sum(axis=1)
-    return part
+    fraction: Array = by_cell[:, corner.ravel()].sum(axis=1) / by_cell.sum(axis=1)
+    return fraction
 
 
 def pairs(count: int) -> list[tuple[int, int]]:
@@ -245,7 +262,7 @@ def pairs(count: int) -> list[tuple[int, int]]:
 def _reduced(flat: Flat, shapes: Array) -> tuple[Array, Array]:
     """Return the quartic form G and the in-plane displacements of the reduced energy."""
     space = flat.space
-    assembler = shared_assembler(space, space.free()[:2], 2)
+    assembler = membrane_assembler(space, flat.symmetry)
     solver = assembler.solver
     tangents = space.derivatives(flat.position, 2)
     _, _, blocks = membrane.expansion(flat.law, tangents)

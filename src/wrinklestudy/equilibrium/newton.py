@@ -6,29 +6,15 @@ larger shift. The factorisation tells whether it is definite.
 """
 
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 import numpy as np
 from scipy import sparse
 
+from wrinklestudy.equilibrium.bfgs import Update, inverse_times
+from wrinklestudy.equilibrium.energy import EnergyExpansion, Problem
 from wrinklestudy.fem.factorisation import NotPositiveDefiniteError, Solver
 from wrinklestudy.typing import Array
-
-
-class Problem(Protocol):
-    """An energy over a vector of unknowns."""
-
-    def energy(self, unknowns: Array) -> float:
-        """Return the energy, or infinity where it is not defined."""
-
-    def derivatives(self, unknowns: Array) -> tuple[float, Array, sparse.csr_array]:
-        """Return the energy, the residual and the upper triangle of the tangent."""
-
-    def residual(self, unknowns: Array) -> Array:
-        """Return the residual alone."""
-
-    def shift(self) -> sparse.csr_array | None:
-        """Return a positive semidefinite matrix of the tangent's pattern that makes it definite."""
 
 
 class Iteration(NamedTuple):
@@ -136,7 +122,7 @@ def minimise(problem: Problem, start: Array, solver: Solver, options: NewtonOpti
         First guess of the unknowns.
     solver : Solver
         Sparse factorisation.
-    options : Options
+    options : NewtonOptions
         Tolerance and limits.
 
     Returns
@@ -144,38 +130,35 @@ def minimise(problem: Problem, start: Array, solver: Solver, options: NewtonOpti
     Minimum
         With `reason` set where it did not converge; nothing is raised for that.
     """
-    unknowns, shift, guess = start.copy(), 0.0, options.first_shift
+    unknowns, shifts = start.copy(), _Shifts(0.0, options.first_shift)
     history: list[Iteration] = []
     energy, tangent, reason = np.inf, None, f"no convergence in {options.max_iterations} iterations"
     for _ in range(options.max_iterations):
-        energy, residual, tangent = problem.derivatives(unknowns)
+        here = problem.derivatives(unknowns)
+        energy, tangent = here.energy, here.tangent
         if not np.isfinite(energy):
             reason = "the energy is not finite"
             break
-        step = _step(
-            problem, unknowns, (energy, residual, tangent), solver, (shift, guess), options
-        )
+        step = _step(problem, unknowns, here, solver, shifts, options)
         if isinstance(step, str):
             reason = step
             break
-        shift = step.shift
-        guess = shift / 8.0 if shift > 0.0 else guess
-        scaled = float(np.abs(residual / np.sqrt(np.abs(tangent.diagonal()))).max())
-        history.append(Iteration(energy, scaled, step.decrement, step.length, shift, 1.0))
-        if shift == 0.0 and _converged(history, options):
+        scaled = float(np.abs(here.residual / np.sqrt(np.abs(tangent.diagonal()))).max())
+        history.append(Iteration(energy, scaled, step.decrement, step.length, step.shift, 1.0))
+        if step.shift == 0.0 and _converged(history, options):
             reason = ""
             break
         unknowns = unknowns + step.length * step.direction
         energy += step.gain
-        if shift == 0.0 and step.length == 1.0 and step.decrement <= _QUASI_DECREMENT * abs(energy):
-            unknowns, done = _finish(
-                problem, unknowns, solver, options, history, (residual, step.direction)
+        if step.is_plain and step.decrement <= _QUASI_DECREMENT * abs(energy):
+            finish = _finish(
+                problem, unknowns, here.residual, step.direction, solver, options, history
             )
-            if done:
-                reason = ""
-                energy = problem.energy(unknowns)
+            unknowns = finish.unknowns
+            if finish.converged:
+                energy, reason = problem.energy(unknowns), ""
                 break
-        shift = 0.0 if shift < 1e-3 * options.first_shift else shift / 8.0
+        shifts = shifts.after(step.shift, options.first_shift)
     return Minimum(unknowns, energy, tangent, tuple(history), reason)
 
 
@@ -188,6 +171,22 @@ def _converged(history: list[Iteration], options: NewtonOptions) -> bool:
     return bool(before) and before[-1] < _ROUNDED * abs(decrement) <= _ROUNDED * options.noise
 
 
+class _Shifts(NamedTuple):
+    """Shifts of the tangent that a step begins with."""
+
+    first: float  # tried first
+    least: float  # the least positive one
+
+    def larger(self, shift: float) -> float:
+        """Return the shift to try after one that was too small."""
+        return max(4.0 * shift, self.least)
+
+    def after(self, shift: float, first_shift: float) -> "_Shifts":
+        """Return the shifts of the next step after a step with a shift."""
+        first = 0.0 if shift < 1e-3 * first_shift else shift / 8.0
+        return _Shifts(first, shift / 8.0 if shift > 0.0 else self.least)
+
+
 class _Step(NamedTuple):
     """A step that was accepted: length times direction, and the change of energy."""
 
@@ -197,13 +196,18 @@ class _Step(NamedTuple):
     shift: float
     gain: float
 
+    @property
+    def is_plain(self) -> bool:
+        """Whether it is a full step of plain Newton."""
+        return self.shift == 0.0 and self.length == 1.0
+
 
 def _step(
     problem: Problem,
     unknowns: Array,
-    derivatives: tuple[float, Array, sparse.csr_array],
+    here: EnergyExpansion,
     solver: Solver,
-    shifts: tuple[float, float],
+    shifts: _Shifts,
     options: NewtonOptions,
 ) -> _Step | str:
     """Return a step that lowers the energy enough, or why there is none.
@@ -211,22 +215,16 @@ def _step(
     The shift grows until the tangent is definite. If the full step is not acceptable, the step is
     halved, or the shift grows further where steps may rise: a curved valley leaves no room for long
     straight steps.
-
-    Parameters
-    ----------
-    derivatives : (energy, residual, tangent)
-    shifts : (shift, guess)
-        The shift to begin with, and the least positive one.
     """
-    (energy, residual, tangent), (shift, guess) = derivatives, shifts
-    failed = "the tangent stays indefinite under every shift"
+    energy, residual, tangent = here
+    shift, failed = shifts.first, "the tangent stays indefinite under every shift"
     for _ in range(_MAX_SHIFTS):
         try:
             solver.factorise(tangent if shift == 0.0 else _shifted(problem, tangent, shift))
         except NotPositiveDefiniteError:
             if problem.shift() is None:
                 return failed
-            shift = max(4.0 * shift, guess)
+            shift = shifts.larger(shift)
             continue
         direction = -solver.solve(residual)
         decrement = -float(residual @ direction)
@@ -243,55 +241,8 @@ def _step(
         failed = "no step lowers the energy"
         if options.rise == 0.0 or problem.shift() is None:
             break
-        shift = max(4.0 * shift, guess)
+        shift = shifts.larger(shift)
     return failed
-
-
-def _finish(
-    problem: Problem,
-    unknowns: Array,
-    solver: Solver,
-    options: NewtonOptions,
-    history: list[Iteration],
-    last: tuple[Array, Array],
-) -> tuple[Array, bool]:
-    """Take BFGS steps from the last tangent while they gain much; return whether they converged.
-
-    Parameters
-    ----------
-    last : (residual, step)
-        Of the Newton step that led to `unknowns`.
-    """
-    residual, step = last
-    pairs: list[tuple[Array, Array]] = []
-    row = history[-1]
-    for _ in range(_MAX_QUASI):
-        new = problem.residual(unknowns)
-        pairs.append((step, new - residual))
-        residual = new
-        step = -_inverse_times(residual, pairs, solver)
-        decrement = -float(residual @ step)
-        history.append(row._replace(decrement=decrement, fresh=0.0))
-        unknowns = unknowns + step
-        if abs(decrement) <= options.tolerance * abs(row.energy):
-            return unknowns, True
-        if decrement * _QUASI_GAIN > history[-2].decrement:
-            break
-    return unknowns, False
-
-
-def _inverse_times(vector: Array, pairs: list[tuple[Array, Array]], solver: Solver) -> Array:
-    """Apply the inverse of the last tangent with BFGS updates for (step, change of residual)."""
-    vector = vector.copy()
-    parts = []
-    for step, change in reversed(pairs):
-        part = float(step @ vector) / float(step @ change)
-        vector -= part * change
-        parts.append(part)
-    result = solver.solve(vector)
-    for (step, change), part in zip(pairs, reversed(parts), strict=True):
-        result = result + (part - float(change @ result) / float(step @ change)) * step
-    return result
 
 
 def _shifted(problem: Problem, tangent: sparse.csr_array, shift: float) -> sparse.csr_array:
@@ -300,3 +251,47 @@ def _shifted(problem: Problem, tangent: sparse.csr_array, shift: float) -> spars
         raise ValueError("this problem has no matrix for shifts")
     data = tangent.data + shift * matrix.data
     return sparse.csr_array((data, tangent.indices, tangent.indptr), shape=tangent.shape)
+
+
+class _Finish(NamedTuple):
+    """Where steps with the last tangent ended."""
+
+    unknowns: Array
+    converged: bool
+
+
+def _finish(
+    problem: Problem,
+    unknowns: Array,
+    residual: Array,
+    step: Array,
+    solver: Solver,
+    options: NewtonOptions,
+    history: list[Iteration],
+) -> _Finish:
+    """Take BFGS steps from the last tangent while they gain much; they join the history.
+
+    Parameters
+    ----------
+    problem : Problem
+    unknowns : (n,) array
+        After the last step of Newton's method.
+    residual, step : (n,) arrays
+        The residual before that step, and the step.
+    solver, options, history
+        As in `minimise`.
+    """
+    updates: list[Update] = []
+    newton = history[-1]
+    for _ in range(_MAX_QUASI):
+        before, residual = residual, problem.residual(unknowns)
+        updates.append(Update(step, residual - before))
+        step = -inverse_times(residual, updates, solver)
+        decrement = -float(residual @ step)
+        history.append(newton._replace(decrement=decrement, fresh=0.0))
+        unknowns = unknowns + step
+        if abs(decrement) <= options.tolerance * abs(newton.energy):
+            return _Finish(unknowns, True)
+        if decrement * _QUASI_GAIN > history[-2].decrement:
+            break
+    return _Finish(unknowns, False)

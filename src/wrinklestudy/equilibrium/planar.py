@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from wrinklestudy.equilibrium.flat import Flat
 from wrinklestudy.equilibrium.flat import solve as solve_flat
 from wrinklestudy.equilibrium.modes import Modes, critical_modes
+from wrinklestudy.fem.boundary import Symmetry
 from wrinklestudy.fem.grid import Grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics import laws
@@ -29,6 +30,11 @@ class PlanarSettings:
     parity: Parity = "antisymmetric"
     modes: int = 8
 
+    @property
+    def symmetry(self) -> Symmetry:
+        """Mirrors of the sheet with a deflection of this parity."""
+        return Symmetry.mirrored(self.parity)
+
 
 @dataclass(frozen=True)
 class Planar:
@@ -42,7 +48,7 @@ class Planar:
         Name of the material in the study.
     strain : float
         eps of the clamps.
-    settings : Settings
+    settings : PlanarSettings
     flat : Flat or None
     modes : Modes or None
     reason : str
@@ -73,19 +79,19 @@ def solve(
     Parameters
     ----------
     grid : Grid or Space
-        Grid of the quarter sheet.
+        Grid of the part of the sheet that is solved.
     material : Material
     strain : float
         eps = (L' - L)/L of the clamps.
-    settings : Settings, optional
+    settings : PlanarSettings, optional
     name : str
         Name of the material.
     """
     settings = settings or PlanarSettings()
     space = grid if isinstance(grid, Space) else Space(grid)
     try:
-        flat = solve_flat(space, material.law, strain)
-        modes = critical_modes(flat, settings.bending, settings.parity, settings.modes)
+        flat = solve_flat(space, material.law, strain, symmetry=settings.symmetry)
+        modes = critical_modes(flat, settings.bending, settings.symmetry, settings.modes)
     except ArithmeticError as error:
         return Planar(space.grid, material, name, strain, settings, None, None, str(error))
     return Planar(space.grid, material, name, strain, settings, flat, modes)

@@ -1,38 +1,64 @@
 """The energy of the sheet over its free unknowns, as Newton's method sees it."""
 
+from typing import NamedTuple, Self
+
 import numpy as np
-from numpy.typing import NDArray
 from scipy import sparse
 
+from wrinklestudy.equilibrium.energy import EnergyExpansion
 from wrinklestudy.equilibrium.flat import Flat
 from wrinklestudy.equilibrium.modes import Modes
 from wrinklestudy.fem.assembly import shared_assembler
+from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics import plate
 from wrinklestudy.mechanics.section import Section, SectionDerivatives
-from wrinklestudy.typing import Array
+from wrinklestudy.typing import Array, Mask
 
 
 class PlateProblem:
-    """Energy of the sheet over its free dofs, in units of mu W^3."""
+    """Energy of the sheet over its free dofs, in units of mu W^3.
 
-    def __init__(self, flat: Flat, modes: Modes, thickness: float) -> None:
-        self.flat = flat
-        self.modes = modes
-        self.section = Section(flat.law, thickness, modes.bending)
-        self.assembler = shared_assembler(flat.space, flat.space.free(modes.parity))
+    Parameters
+    ----------
+    space : Space
+    section : Section
+        Law, thickness and bending law.
+    free : (3, size) array of bool
+        The unknowns.
+    position : (3, size) array
+        Its values at all other dofs are prescribed; with z = 0 it is the flat state of `shift`.
+    """
+
+    def __init__(self, space: Space, section: Section, free: Mask, position: Array) -> None:
+        self.section = section
+        self.assembler = shared_assembler(space, free)
+        self.prescribed = position.copy()
         self._shift: sparse.csr_array | None = None
-        self._prescribed = np.zeros((3, flat.space.size))
-        self._prescribed[:2] = flat.position
+
+    @classmethod
+    def of_flat(cls, flat: Flat, modes: Modes, thickness: float) -> Self:
+        """Return the problem of a clamped sheet with the mirrors and the bending law of its modes.
+
+        Parameters
+        ----------
+        flat : Flat
+        modes : Modes
+        thickness : float
+            t/W.
+        """
+        section = Section(flat.law, thickness, modes.bending)
+        return cls(flat.space, section, modes.symmetry.free(flat.space), flat.sheet_position)
 
     def position(self, unknowns: Array) -> Array:
         """Return the dof vectors (3, size) with the prescribed values in place."""
-        field = self._prescribed.copy()
+        field = self.prescribed.copy()
         field[self.assembler.free] = unknowns
         return field
 
-    def prescribe(self, component: int, dofs: NDArray[np.int64], values: Array) -> None:
-        """Set prescribed values of one component of the position."""
-        self._prescribed[component, dofs] = values
+    def prescribe(self, position: Array) -> None:
+        """Prescribe the values of a position (3, size) at the dofs that are not free."""
+        held = ~self.assembler.free
+        self.prescribed[held] = position[held]
 
     def energy(self, unknowns: Array) -> float:
         """Return the energy, infinite where the surface or its thickness degenerates."""
@@ -42,7 +68,7 @@ class PlateProblem:
         total = float((density * space.measure).sum())
         return total if np.isfinite(total) else np.inf
 
-    def derivatives(self, unknowns: Array) -> tuple[float, Array, sparse.csr_array]:
+    def derivatives(self, unknowns: Array) -> EnergyExpansion:
         """Return the energy, the residual and the upper triangle of the tangent."""
         surface, section = plate.respond(self.section, self.gradients(unknowns))
         return self.assemble(surface, section, section)
@@ -56,13 +82,14 @@ class PlateProblem:
         surface: plate.SurfaceGeometry,
         section: SectionDerivatives,
         of_tangent: SectionDerivatives,
-    ) -> tuple[float, Array, sparse.csr_array]:
+    ) -> EnergyExpansion:
         """Return energy, residual and tangent, the latter from a section of its own."""
         assembler = self.assembler
         density = self.section.energy(surface.metric, surface.curvature)
         residual = assembler.residual(plate.gradient(surface, section))[assembler.free]
         tangent = assembler.tangent(plate.hessian(surface, of_tangent))
-        return float((density * assembler.space.measure).sum()), residual, tangent
+        energy = float((density * assembler.space.measure).sum())
+        return EnergyExpansion(energy, residual, tangent)
 
     def residual(self, unknowns: Array) -> Array:
         """Return the residual alone."""
@@ -78,7 +105,7 @@ class PlateProblem:
         if self._shift is None:
             space = self.assembler.space
             _, bent = plate.deflection(
-                self.flat.law, self.section.bending, space.derivatives(self._prescribed)
+                self.section.law, self.section.bending, space.derivatives(self.prescribed)
             )
             blocks = [
                 np.zeros((len(self.assembler.entries(c == d)), *space.measure.shape))
@@ -87,6 +114,14 @@ class PlateProblem:
             blocks[-1] = self.section.thickness * bent
             self._shift = self.assembler.tangent(blocks)
         return self._shift
+
+
+class _Response(NamedTuple):
+    """State of the Gauss points where a tangent was taken."""
+
+    gradients: Array  # x,1 x,2 x,11 x,22 x,12
+    surface: plate.SurfaceGeometry
+    section: SectionDerivatives
 
 
 class Predicting:
@@ -110,16 +145,16 @@ class Predicting:
     def __init__(self, problem: PlateProblem) -> None:
         self.problem = problem
         self.energy, self.residual, self.shift = problem.energy, problem.residual, problem.shift
-        self._last: tuple[Array, plate.SurfaceGeometry, SectionDerivatives] | None = None
+        self._last: _Response | None = None
 
-    def derivatives(self, unknowns: Array) -> tuple[float, Array, sparse.csr_array]:
+    def derivatives(self, unknowns: Array) -> EnergyExpansion:
         """Return the energy, the residual and the upper triangle of the predicted tangent."""
         gradients = self.problem.gradients(unknowns)
         surface, section = plate.respond(self.problem.section, gradients)
         predicted = section
         if self._last is not None:
-            before, shape, known = self._last
-            force, moment = plate.predict(shape, known, gradients - before)
+            step = gradients - self._last.gradients
+            force, moment = plate.predict(self._last.surface, self._last.section, step)
             predicted = section._replace(force=force, moment=moment)
-        self._last = gradients, surface, section
+        self._last = _Response(gradients, surface, section)
         return self.problem.assemble(surface, section, predicted)

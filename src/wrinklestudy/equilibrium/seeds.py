@@ -1,6 +1,7 @@
 """First guesses of wrinkled states from the reduced energy of the modes, see `modes`."""
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -54,6 +55,13 @@ def reduced_energy(modes: Modes, thickness: float) -> Reduced:
     return Reduced(thickness**2 - modes.squared[keep], tensor)
 
 
+class _ReducedMinimum(NamedTuple):
+    """A minimum of the reduced energy."""
+
+    energy: float
+    amplitudes: Array
+
+
 def seeds(modes: Modes, thickness: float) -> list[Array]:
     """Return the minima of the reduced energy for a thickness, the lowest first.
 
@@ -69,22 +77,21 @@ def seeds(modes: Modes, thickness: float) -> list[Array]:
         Amplitudes q of the modes; empty where no wrinkle is unstable.
     """
     reduced = reduced_energy(modes, thickness)
-    found: list[tuple[float, Array]] = []
+    minima: list[_ReducedMinimum] = []
     for mode in np.flatnonzero(reduced.stiffness < 0.0):
         start = np.zeros(len(reduced.stiffness))
         stiff = reduced.quartic[mode, mode, mode, mode]
         start[mode] = np.sqrt(-reduced.stiffness[mode] / (2.0 * stiff))
         # a small admixture of the others leaves the saddle that a pure mode may be
         q = _minimise_reduced(reduced, start + 1e-3 * start[mode])
-        value = reduced.energy(q)
-        if all(abs(value - other) > 1e-6 * abs(other) for other, _ in found):
-            found.append((value, q))
-    result = []
-    for _, q in sorted(found, key=lambda pair: pair[0]):
-        full = np.zeros(len(modes.squared))
-        full[modes.wrinkles] = q
-        result.append(full)
-    return result
+        energy = reduced.energy(q)
+        if all(abs(energy - other.energy) > 1e-6 * abs(other.energy) for other in minima):
+            minima.append(_ReducedMinimum(energy, q))
+    minima.sort(key=lambda minimum: minimum.energy)
+    amplitudes = np.zeros((len(minima), len(modes.squared)))
+    for row, minimum in zip(amplitudes, minima, strict=True):
+        row[modes.wrinkles] = minimum.amplitudes
+    return list(amplitudes)
 
 
 def _minimise_reduced(reduced: Reduced, start: Array) -> Array:
@@ -107,8 +114,8 @@ def _minimise_reduced(reduced: Reduced, start: Array) -> Array:
 def seed_position(flat: Flat, modes: Modes, amplitudes: Array) -> Array:
     """Return the position (3, size) that belongs to amplitudes q of the modes."""
     first, second = np.array(pairs(len(amplitudes))).T
-    position = np.empty((3, flat.space.size))
+    position = flat.sheet_position
     products = amplitudes[first] * amplitudes[second]
-    position[:2] = flat.position + np.tensordot(products, modes.relaxation, axes=1)
+    position[:2] += np.tensordot(products, modes.relaxation, axes=1)
     position[2] = amplitudes @ modes.shapes
     return position

@@ -185,8 +185,8 @@ def critical_curve(
 
     def curve(strain: float) -> float:
         try:
-            flat = solve_flat(space, material.law, strain)
-            return critical_thickness(flat, settings.bending, settings.parity)
+            flat = solve_flat(space, material.law, strain, symmetry=settings.symmetry)
+            return critical_thickness(flat, settings.bending, settings.symmetry)
         except ArithmeticError:
             return math.nan
 

@@ -15,6 +15,7 @@ from wrinklestudy.equilibrium.modes import Modes
 from wrinklestudy.equilibrium.planar import Planar
 from wrinklestudy.equilibrium.problem import PlateProblem, Predicting
 from wrinklestudy.equilibrium.seeds import seed_position, seeds
+from wrinklestudy.fem.factorisation import count_negative_eigenvalues
 from wrinklestudy.typing import Array
 from wrinklestudy.vocabulary import Status
 
@@ -57,11 +58,11 @@ class Equilibrium:
     position : (3, size) array or None
         Position as dof vectors in units of W; the last iterate where it did not converge.
     energy, flat_energy : float
-        Of the quarter sheet in units of mu W^3, NaN where unknown.
+        Of the part that is solved, in units of mu W^3, NaN where unknown.
     nominal_stress : float
         Force at the clamp / (W t) in units of mu.
     unstable_directions : int
-        Negative eigenvalues of the tangent within the parity of the state; -1 where unknown.
+        Negative eigenvalues of the tangent within the symmetry of the state; -1 where unknown.
     residual : float
         Last Newton decrement in parts of the energy.
     history : tuple of newton.Iteration
@@ -90,7 +91,7 @@ def solve(planar: Planar, thickness: float, settings: WrinkleSettings | None = N
     planar : Planar
     thickness : float
         t/W.
-    settings : Settings, optional
+    settings : WrinkleSettings, optional
 
     Raises
     ------
@@ -101,74 +102,113 @@ def solve(planar: Planar, thickness: float, settings: WrinkleSettings | None = N
         raise ValueError(f"thickness = {thickness:g}: must be > 0 (in units of W)")
     settings = settings or WrinkleSettings()
     if planar.flat is None or planar.modes is None:
-        nan = float("nan")
-        return Equilibrium(
-            planar, thickness, "not-converged", planar.reason, None, nan, nan, nan, -1, nan, ()
-        )
+        return _unknown(planar, thickness)
     if thickness >= planar.modes.critical_thickness:
         return _flat(planar, planar.flat, planar.modes, thickness)
-    problem = PlateProblem(planar.flat, planar.modes, thickness)
-    best: Equilibrium | None = None
-    for amplitudes in seeds(planar.modes, thickness)[: settings.seeds]:
-        start = seed_position(planar.flat, planar.modes, amplitudes)
-        found = _wrinkled(planar, problem, start, settings)
-        if best is None or _rank(found) < _rank(best):
-            best = found
-    if best is None:
+    states = [
+        minimise_from(planar, thickness, seed_position(planar.flat, planar.modes, q), settings)
+        for q in seeds(planar.modes, thickness)[: settings.seeds]
+    ]
+    if not states:
         raise RuntimeError("no seed although the flat state is unstable")
-    return best
+    return min(states, key=lambda state: (state.status == "not-converged", state.energy))
 
 
-def _rank(state: Equilibrium) -> tuple[bool, float]:
-    return state.status == "not-converged", state.energy
-
-
-def _flat(planar: Planar, flat: Flat, modes: Modes, thickness: float) -> Equilibrium:
-    position = np.zeros((3, flat.space.size))
-    position[:2] = flat.position
-    energy = thickness * flat.energy
-    unstable = int(np.sum(modes.squared > thickness**2))
-    residual = abs(flat.history[-1].decrement) / flat.energy
-    return Equilibrium(
-        planar, thickness, "flat", "", position, energy, energy, flat.force, unstable, residual, ()
-    )
-
-
-def _wrinkled(
-    planar: Planar, problem: PlateProblem, start: Array, settings: WrinkleSettings
+def minimise_from(
+    planar: Planar, thickness: float, start: Array, settings: WrinkleSettings | None = None
 ) -> Equilibrium:
-    """Minimise the energy from a seed and check what was found."""
-    flat, modes = problem.flat, problem.modes
-    thickness, solver = problem.section.thickness, problem.assembler.solver
-    flat_energy = thickness * flat.energy
+    """Return the equilibrium to which the energy falls from a start, and whether it is wrinkled.
+
+    Parameters
+    ----------
+    planar : Planar
+    thickness : float
+        t/W, below the critical one.
+    start : (3, size) array
+        Position as dof vectors; only its free values count.
+    settings : WrinkleSettings, optional
+
+    Raises
+    ------
+    ValueError
+        If there is no flat state.
+    """
+    if planar.flat is None or planar.modes is None:
+        raise ValueError(f"no flat state to start from: {planar.reason}")
+    settings, flat_energy = settings or WrinkleSettings(), thickness * planar.flat.energy
+    problem = PlateProblem.of_flat(planar.flat, planar.modes, thickness)
     options = newton.NewtonOptions(
         tolerance=settings.tolerance,
         max_iterations=settings.max_iterations,
-        first_shift=min(thickness**2, 0.25 * (modes.squared[0] - thickness**2)),
+        first_shift=min(thickness**2, 0.25 * (planar.modes.squared[0] - thickness**2)),
         rise=_RISE,
         ceiling=flat_energy,
         noise=ROUNDING * thickness,
     )
-    found = newton.minimise(Predicting(problem), start[problem.assembler.free], solver, options)
-    clamp = flat.space.edge_dofs("clamp", ["u"])
-    force = 2.0 * float(problem.reactions(found.unknowns)[0, clamp].sum()) / thickness
-    reason = found.reason
-    if not reason and not found.energy < flat_energy:
+    minimum = newton.minimise(
+        Predicting(problem), start[problem.assembler.free], problem.assembler.solver, options
+    )
+    return _checked(planar, problem, minimum)
+
+
+def _checked(planar: Planar, problem: PlateProblem, minimum: newton.Minimum) -> Equilibrium:
+    """Return the state where a minimisation ended, converged only if it lies below the flat one."""
+    if planar.flat is None or planar.modes is None:
+        raise ValueError(f"no flat state to compare with: {planar.reason}")
+    thickness = problem.section.thickness
+    flat_energy = thickness * planar.flat.energy
+    reason, unstable = minimum.reason, 0
+    if not reason and not minimum.energy < flat_energy:
         reason = "the energy is not below that of the flat state"
-    unstable = 0
     if reason:
-        unstable = -1 if found.tangent is None else solver.negative(found.tangent)
-    last = found.history[-1].decrement if found.history else float("nan")
+        tangent = minimum.tangent
+        unstable = -1 if tangent is None else count_negative_eigenvalues(tangent)
+    clamp, reactions = planar.modes.symmetry.clamp, problem.reactions(minimum.unknowns)
+    last = minimum.history[-1].decrement if minimum.history else float("nan")
     return Equilibrium(
         planar,
         thickness,
-        "not-converged" if reason else "wrinkled",
-        reason,
-        problem.position(found.unknowns),
-        found.energy,
-        flat_energy,
-        force,
-        unstable,
-        last / flat_energy,
-        found.history,
+        status="not-converged" if reason else "wrinkled",
+        reason=reason,
+        position=problem.position(minimum.unknowns),
+        energy=minimum.energy,
+        flat_energy=flat_energy,
+        nominal_stress=clamp.force(planar.flat.space, reactions) / thickness,
+        unstable_directions=unstable,
+        residual=last / flat_energy,
+        history=minimum.history,
+    )
+
+
+def _flat(planar: Planar, flat: Flat, modes: Modes, thickness: float) -> Equilibrium:
+    energy = thickness * flat.energy
+    return Equilibrium(
+        planar,
+        thickness,
+        status="flat",
+        reason="",
+        position=flat.sheet_position,
+        energy=energy,
+        flat_energy=energy,
+        nominal_stress=flat.force,
+        unstable_directions=int(np.sum(modes.squared > thickness**2)),
+        residual=abs(flat.history[-1].decrement) / flat.energy,
+        history=(),
+    )
+
+
+def _unknown(planar: Planar, thickness: float) -> Equilibrium:
+    nan = float("nan")
+    return Equilibrium(
+        planar,
+        thickness,
+        status="not-converged",
+        reason=planar.reason,
+        position=None,
+        energy=nan,
+        flat_energy=nan,
+        nominal_stress=nan,
+        unstable_directions=-1,
+        residual=nan,
+        history=(),
     )

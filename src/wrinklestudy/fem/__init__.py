@@ -1,1 +1,1 @@
-"""Finite elements on the quarter sheet."""
+"""Finite elements on the part of the sheet that is solved, and its boundary conditions."""

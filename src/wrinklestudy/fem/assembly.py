@@ -10,12 +10,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import sparse
 
 from wrinklestudy.fem.factorisation import Solver, make_solver
 from wrinklestudy.fem.space import Space
-from wrinklestudy.typing import Array
+from wrinklestudy.typing import Array, Indices, Mask
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,7 +33,7 @@ class Assembler:
     """
 
     space: Space
-    free: NDArray[np.bool_]
+    free: Mask
     derivatives: int = 5
 
     @cached_property
@@ -76,6 +75,19 @@ class Assembler:
                 rows.append(block)
             products.append(np.ascontiguousarray(np.concatenate(rows).T))
         return products[0], products[1]
+
+    @cached_property
+    def _scales(self) -> tuple[Array, Array]:
+        """Factors from second derivatives in x and y to those on unit cells, (entries, ne)."""
+        scale = self.space.derivative_scale
+        rows = [np.array(self.entries(same)) for same in (False, True)]
+        unequal, equal = (scale[row[:, 0]] * scale[row[:, 1]] for row in rows)
+        return unequal, equal
+
+    @cached_property
+    def _weighted(self) -> Array:
+        """Room for the largest block of second derivatives, so that no call has to allocate it."""
+        return np.empty((len(self.entries(False)), *self.space.measure.shape))
 
     @cached_property
     def _scatter(self) -> tuple[sparse.csr_array, sparse.csr_array]:
@@ -143,22 +155,29 @@ class Assembler:
         ----------
         hessian : list of (entries, nq, ne) arrays
             One block of second derivatives of the energy density for each of `pairs`, with the
-            rows of `entries`. The blocks are overwritten.
+            rows of `entries`.
         """
         return self.scatter(self.element_tangents(hessian))
 
     def element_tangents(self, hessian: list[Array]) -> Array:
         """Return the entries of all element tangents, in the order of `scatter`; see `tangent`."""
         space = self.space
-        parts = []
-        for (c, d), block in zip(self.pairs, hessian, strict=True):
-            index = np.array(self.entries(c == d))
-            scale = space.derivative_scale[index[:, 0]] * space.derivative_scale[index[:, 1]]
-            block *= scale[:, None]
-            block *= space.measure
-            products = self._products[int(c == d)]
-            parts.append((products @ block.reshape(products.shape[1], -1)).ravel())
-        return np.concatenate(parts)
+        cells = space.measure.shape[1]
+        kinds = [int(c == d) for c, d in self.pairs]
+        ends = np.cumsum([len(self._products[kind]) * cells for kind in kinds])
+        elements = np.empty(ends[-1])
+        for kind, end, block in zip(kinds, ends, hessian, strict=True):
+            products, scale = self._products[kind], self._scales[kind]
+            weighted = self._weighted[: len(block)]
+            np.multiply(block, scale[:, None], out=weighted)
+            weighted *= space.measure
+            size = len(products) * cells
+            np.matmul(
+                products,
+                weighted.reshape(products.shape[1], -1),
+                out=elements[end - size : end].reshape(len(products), -1),
+            )
+        return elements
 
     def scatter(self, elements: Array) -> sparse.csr_array:
         """Add up element entries into the upper triangle of the tangent."""
@@ -167,7 +186,7 @@ class Assembler:
         return sparse.csr_array((data, pattern.indices, pattern.indptr), shape=pattern.shape)
 
 
-def shared_assembler(space: Space, free: NDArray[np.bool_], derivatives: int = 5) -> Assembler:
+def shared_assembler(space: Space, free: Mask, derivatives: int = 5) -> Assembler:
     """Return the assembler for some unknowns of a space, the same one at each call.
 
     Its sparsity pattern and the ordering of its factorisation then serve all strains and all
@@ -176,11 +195,11 @@ def shared_assembler(space: Space, free: NDArray[np.bool_], derivatives: int = 5
     key = (np.packbits(free).tobytes(), derivatives)
     if key not in space.shared:
         space.shared[key] = Assembler(space, free, derivatives)
-    found: Assembler = space.shared[key]
-    return found
+    assembler: Assembler = space.shared[key]
+    return assembler
 
 
-def _sorted_order(keys: NDArray[np.int64], count: int) -> NDArray[np.int64]:
+def _sorted_order(keys: Indices, count: int) -> Indices:
     """Return the stable order that sorts keys below count: the conversion to CSR counts them."""
     size = len(keys)
     listed = sparse.csr_array((np.ones(size, bool), (keys, np.arange(size))), shape=(count, size))

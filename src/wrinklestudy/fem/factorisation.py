@@ -21,7 +21,7 @@ class NotPositiveDefiniteError(ArithmeticError):
 
 
 class Solver(Protocol):
-    """A factorisation that is reused for matrices of one sparsity pattern."""
+    """A factorisation of positive definite matrices, reused for those of one sparsity pattern."""
 
     def factorise(self, upper: sparse.csr_array) -> None:
         """Factorise a positive definite matrix.
@@ -35,20 +35,24 @@ class Solver(Protocol):
     def solve(self, rhs: Array) -> Array:
         """Solve for one right-hand side (n,) or several (n, k)."""
 
-    def negative(self, upper: sparse.csr_array) -> int:
-        """Return the number of negative eigenvalues (Sylvester's law of inertia)."""
-
 
 class IndefiniteSolver(Protocol):
     """A factorisation of symmetric matrices that need not be definite."""
 
-    negative: int  # negative eigenvalues of the last factorised matrix
+    negative_eigenvalues: int  # of the last factorised matrix, by Sylvester's law of inertia
 
     def factorise(self, upper: sparse.csr_array) -> None:
-        """Factorise a symmetric matrix."""
+        """Factorise a symmetric matrix and count its negative eigenvalues."""
 
     def solve(self, rhs: Array) -> Array:
         """Solve for one right-hand side (n,) or several (n, k)."""
+
+
+def count_negative_eigenvalues(upper: sparse.csr_array) -> int:
+    """Return the number of negative eigenvalues of a symmetric matrix."""
+    solver = make_indefinite_solver()
+    solver.factorise(upper)
+    return solver.negative_eigenvalues
 
 
 def make_indefinite_solver() -> IndefiniteSolver:
@@ -89,7 +93,7 @@ def _scaled(upper: sparse.csr_array) -> tuple[sparse.csr_array, Array]:
 
 
 class PardisoSolver:
-    """Cholesky factorisation by PARDISO; L D L^T with a Jacobi scaling for the inertia."""
+    """Cholesky factorisation by PARDISO."""
 
     def __init__(self) -> None:
         self._cholesky: Any = None
@@ -118,12 +122,6 @@ class PardisoSolver:
         solution: Array = self._cholesky._call_pardiso(self._matrix, np.asfortranarray(rhs))
         return solution
 
-    def negative(self, upper: sparse.csr_array) -> int:
-        """Return the number of negative eigenvalues from the pivots of L D L^T."""
-        indefinite = PardisoIndefinite()
-        indefinite.factorise(upper)
-        return indefinite.negative
-
     def _release(self) -> None:
         if self._cholesky is not None and self._matrix is not None:
             _call_pardiso(self._cholesky, -1, self._matrix)
@@ -139,7 +137,7 @@ class PardisoIndefinite:
     """L D L^T by PARDISO of the matrix scaled to a unit diagonal, with a step of refinement."""
 
     def __init__(self) -> None:
-        self.negative = 0
+        self.negative_eigenvalues = 0
         self._upper: sparse.csr_array | None = None
         self._scaled: sparse.csr_array | None = None
         self._scale: Array = np.empty(0)
@@ -152,7 +150,7 @@ class PardisoIndefinite:
         self._scaled, self._scale = _scaled(upper)
         self._solver = _new_pardiso(-2)
         _call_pardiso(self._solver, 12, self._scaled)
-        self.negative = int(self._solver.get_iparm(23))
+        self.negative_eigenvalues = int(self._solver.get_iparm(23))
 
     def solve(self, rhs: Array) -> Array:
         """Solve with the last factorised matrix."""
@@ -195,22 +193,22 @@ def _new_pardiso(mtype: int) -> Any:
     """Return a PARDISO handle for symmetric matrices (2 positive definite, -2 indefinite)."""
     if "PYPARDISO_MKL_RT" not in os.environ:
         # Without this pypardiso asks a compiler and then walks the whole environment.
-        found = sorted(Path(sys.prefix, "lib").glob("libmkl_rt.so*"))
-        if found:
-            os.environ["PYPARDISO_MKL_RT"] = str(found[0])
+        libraries = sorted(Path(sys.prefix, "lib").glob("libmkl_rt.so*"))
+        if libraries:
+            os.environ["PYPARDISO_MKL_RT"] = str(libraries[0])
     from pypardiso.pardiso_wrapper import PyPardisoSolver
 
     solver = PyPardisoSolver(mtype=mtype)
-    # No default values (1), METIS ordering (2), no refinement (8), pivots perturbed by
-    # 1e-13 only
-    # (10).
+    # No default values (1), METIS ordering (2), no refinement (8), pivots too small replaced by
+    # 1e-13 (10), no count of the fill-in (18), pivots of 1 x 1 and 2 x 2 (21), the classic
+    # factorisation (24), the matrix not checked (27).
     for index, value in {1: 1, 2: 2, 8: 0, 10: 13, 18: 0, 21: 1, 24: 0, 27: 0}.items():
         solver.set_iparm(index, value)
     return solver
 
 
 class SuperLUSolver:
-    """LU factorisation by SuperLU in symmetric mode; its pivots give the inertia."""
+    """LU factorisation by SuperLU in symmetric mode."""
 
     def __init__(self) -> None:
         self._factor: Any = None
@@ -218,7 +216,7 @@ class SuperLUSolver:
 
     def factorise(self, upper: sparse.csr_array) -> None:
         """Factorise a positive definite matrix."""
-        factor, scale = self._factorise(upper)
+        factor, scale = _without_pivoting(upper)
         if not np.all(factor.U.diagonal() > 0):
             raise NotPositiveDefiniteError("zero or negative pivot")
         self._factor, self._scale = factor, scale
@@ -229,42 +227,39 @@ class SuperLUSolver:
         solution: Array = scale * self._factor.solve(scale * rhs)
         return solution
 
-    def negative(self, upper: sparse.csr_array) -> int:
-        """Return the number of negative eigenvalues from the pivots of L U."""
-        factor, _ = self._factorise(upper)
-        return int(np.sum(factor.U.diagonal() < 0))
-
-    @staticmethod
-    def _factorise(upper: sparse.csr_array) -> tuple[Any, Array]:
-        from scipy.sparse.linalg import splu
-
-        scaled, scale = _scaled(upper)
-        factor = splu(
-            symmetric(scaled).tocsc(),
-            permc_spec="MMD_AT_PLUS_A",
-            diag_pivot_thresh=0.0,
-            options={"SymmetricMode": True},
-        )
-        if not np.array_equal(factor.perm_r, factor.perm_c):
-            raise ArithmeticError("SuperLU left the diagonal: a pivot is zero")
-        return factor, scale
-
 
 class SuperLUIndefinite:
     """SuperLU with pivoting for the solution, without for the number of negative eigenvalues."""
 
     def __init__(self) -> None:
-        self.negative = 0
+        self.negative_eigenvalues = 0
         self._factor: Any = None
 
     def factorise(self, upper: sparse.csr_array) -> None:
         """Factorise a symmetric matrix and count its negative eigenvalues."""
         from scipy.sparse.linalg import splu
 
-        self.negative = SuperLUSolver().negative(upper)
+        factor, _ = _without_pivoting(upper)
+        self.negative_eigenvalues = int(np.sum(factor.U.diagonal() < 0))
         self._factor = splu(symmetric(upper).tocsc())
 
     def solve(self, rhs: Array) -> Array:
         """Solve with the last factorised matrix."""
         solution: Array = self._factor.solve(rhs)
         return solution
+
+
+def _without_pivoting(upper: sparse.csr_array) -> tuple[Any, Array]:
+    """Return SuperLU's factor, whose pivots have the signs of the eigenvalues, and the scaling."""
+    from scipy.sparse.linalg import splu
+
+    scaled, scale = _scaled(upper)
+    factor = splu(
+        symmetric(scaled).tocsc(),
+        permc_spec="MMD_AT_PLUS_A",
+        diag_pivot_thresh=0.0,
+        options={"SymmetricMode": True},
+    )
+    if not np.array_equal(factor.perm_r, factor.perm_c):
+        raise ArithmeticError("SuperLU left the diagonal: a pivot is zero")
+    return factor, scale

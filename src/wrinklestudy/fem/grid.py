@@ -2,10 +2,14 @@
 
 import math
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
 from wrinklestudy.typing import Array
+
+# Edges of a grid: first and last line of constant x, first and last line of constant y.
+Edge = Literal["left", "right", "lower", "upper"]
 
 REFERENCE_ASPECT = 2.0
 REFERENCE_THICKNESS = 1.0e-3
@@ -13,14 +17,16 @@ REFERENCE_THICKNESS = 1.0e-3
 
 @dataclass(frozen=True)
 class Grid:
-    """Grid lines of the quarter sheet 0 <= x <= L/2, 0 <= y <= 1/2 in units of W.
+    """Grid lines of the part of the sheet that is solved, in units of W.
+
+    With both mirrors this is the quarter 0 <= x <= L/2, 0 <= y <= 1/2.
 
     Parameters
     ----------
     x : (nx + 1,) array
-        Grid lines from the middle of the sheet to the clamp.
+        From the middle of the sheet to the clamp.
     y : (ny + 1,) array
-        Grid lines from the mid-line to the free edge.
+        From the mid-line to the free edge.
     """
 
     x: Array
@@ -33,7 +39,7 @@ class Grid:
 
     @property
     def cells(self) -> tuple[int, int]:
-        """Number of cells along and across the quarter sheet."""
+        """Number of cells along and across."""
         return len(self.x) - 1, len(self.y) - 1
 
 

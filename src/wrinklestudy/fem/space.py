@@ -1,21 +1,18 @@
-"""Hermite fields on the quarter sheet: dofs, quadrature, evaluation and boundary conditions."""
+"""Hermite fields on a tensor grid: degrees of freedom, quadrature and evaluation."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from skfem import MeshQuad
 from skfem.assembly.dofs import Dofs
 from skfem.quadrature import get_quadrature
 
 from wrinklestudy.fem.element import CORNERS, ORDERS, ElementQuadHermite, reference_basis
-from wrinklestudy.fem.grid import Grid
-from wrinklestudy.typing import Array
-
-Indices = NDArray[np.int64]
-Parity = Literal["antisymmetric", "symmetric"]
+from wrinklestudy.fem.grid import Edge, Grid
+from wrinklestudy.typing import Array, Indices
 
 # The derivatives of the plate energy, in the order used everywhere: x,1  x,2  x,11  x,22  x,12
 DERIVATIVES = ((1, 0), (0, 1), (2, 0), (0, 2), (1, 1))
@@ -23,7 +20,7 @@ DERIVATIVES = ((1, 0), (0, 1), (2, 0), (0, 2), (1, 1))
 
 @dataclass(frozen=True, eq=False)
 class Space:
-    """Bicubic Hermite functions on a tensor grid of the quarter sheet.
+    """Bicubic Hermite functions on a tensor grid.
 
     Parameters
     ----------
@@ -135,49 +132,16 @@ class Space:
         values[1, 0], values[1, 2] = self.grid.y, 1.0
         return self.field_from_nodes(values)
 
-    def edge_dofs(self, edge: Literal["middle", "clamp", "midline"], names: list[str]) -> Indices:
-        """Return the dofs of the given names on a mirror line or on the clamp."""
+    def edge_dofs(self, edge: Edge, names: Sequence[str]) -> Indices:
+        """Return the dofs of the given names (of u, u_x, u_y, u_xy) on an edge of the grid."""
         axis, position = {
-            "middle": (0, self.grid.x[0]),
-            "clamp": (0, self.grid.x[-1]),
-            "midline": (1, self.grid.y[0]),
+            "left": (0, self.grid.x[0]),
+            "right": (0, self.grid.x[-1]),
+            "lower": (1, self.grid.y[0]),
+            "upper": (1, self.grid.y[-1]),
         }[edge]
         tolerance = 1e-9 * float(self.grid.x[-1])
         facets = self.mesh.facets_satisfying(
             lambda x: np.abs(x[axis] - position) < tolerance, boundaries_only=True
         )
-        return np.asarray(self.dofs.get_facet_dofs(facets).all(names), dtype=np.int64)
-
-    def free(
-        self, parity: Parity = "antisymmetric", keeps_x: bool = True, keeps_y: bool = True
-    ) -> NDArray[np.bool_]:
-        """Mark the free degrees of freedom of the three components.
-
-        The clamp holds x, y, z and z,x with all their derivatives along it. On the mirror lines an
-        odd component vanishes and an even one has no normal slope; the state itself is odd in x
-        (component x), odd in y (component y) and, for the antisymmetric parity, odd in y
-        (component z).
-
-        Parameters
-        ----------
-        parity : {'antisymmetric', 'symmetric'}
-            Of the deflection of the state across y = 0.
-        keeps_x, keeps_y : bool
-            False for perturbations that break the mirror of the state at x = 0 or at y = 0: all
-            their parities are the opposite ones.
-
-        Returns
-        -------
-        (3, size) array of bool
-        """
-        free = np.ones((3, self.size), dtype=bool)
-        odd_in_x = (True, False, False)
-        odd_in_y = (False, True, parity == "antisymmetric")
-        clamp = (["u", "u_y"], ["u", "u_y"], ["u", "u_x", "u_y", "u_xy"])
-        for component in range(3):
-            along = ["u", "u_y"] if odd_in_x[component] == keeps_x else ["u_x", "u_xy"]
-            across = ["u", "u_x"] if odd_in_y[component] == keeps_y else ["u_y", "u_xy"]
-            free[component, self.edge_dofs("middle", along)] = False
-            free[component, self.edge_dofs("midline", across)] = False
-            free[component, self.edge_dofs("clamp", clamp[component])] = False
-        return free
+        return np.asarray(self.dofs.get_facet_dofs(facets).all(list(names)), dtype=np.int64)

@@ -1,30 +1,61 @@
-"""Bicubic Hermite fields on a tensor grid: evaluation, and the full sheet from a quarter.
+"""Deformed sheets as bicubic Hermite fields on a tensor grid: evaluation, the whole from a part.
 
-A field has the shape ``(..., 4, nx + 1, ny + 1)``: value, d/dX, d/dY, d2/dXdY at the nodes. The
-interpolant is the finite element function itself, so what is measured on it does not depend on
+The interpolant is the finite element function itself, so what is measured on it does not depend on
 where the nodes happen to lie (nodes alone miss a wrinkle's peak by up to 8%).
 """
 
+from dataclasses import dataclass, replace
+
 import numpy as np
 
+from wrinklestudy.fem.boundary import NO_MIRRORS, Symmetry
+from wrinklestudy.fem.grid import Grid
 from wrinklestudy.typing import Array
 
-# Parity of the deformed x, y, z under X -> -X: x is odd, y and z are even.
-_ALONG = (-1.0, 1.0, 1.0)
-# The same under Y -> -Y, by the parity of the wrinkle.
-_ACROSS = {"antisymmetric": (1.0, -1.0, -1.0), "symmetric": (1.0, -1.0, 1.0)}
+
+@dataclass(frozen=True, eq=False)
+class DeformedSheet:
+    """The deformed sheet as it was solved: on its grid, with its mirrors.
+
+    Parameters
+    ----------
+    grid : Grid
+        Grid lines in units of W.
+    nodes : ndarray, shape (3, 4, nx + 1, ny + 1)
+        Deformed x, y, z in units of W: value, d/dX, d/dY, d2/dXdY at the nodes.
+    symmetry : Symmetry
+        Mirrors that bound the grid.
+    """
+
+    grid: Grid
+    nodes: Array
+    symmetry: Symmetry
+
+    def unfolded(self) -> "DeformedSheet":
+        """Return the whole sheet, which has no mirrors left."""
+        y, nodes = self.symmetry.unfold_across(self.grid.y, self.nodes)
+        x, nodes = self.symmetry.unfold_along(self.grid.x, nodes)
+        return DeformedSheet(Grid(x, y), nodes, NO_MIRRORS)
+
+    def flattened(self) -> "DeformedSheet":
+        """Return the same sheet with z = 0."""
+        nodes = self.nodes.copy()
+        nodes[2] = 0.0
+        return replace(self, nodes=nodes)
+
+    def evaluate(self, x: Array, y: Array, dx: int = 0, dy: int = 0) -> Array:
+        """Return the deformed position or a derivative of it, (3, m, n), see `evaluate`."""
+        return evaluate(self.grid, self.nodes, x, y, dx, dy)
 
 
-def evaluate(
-    grid_x: Array, grid_y: Array, field: Array, x: Array, y: Array, dx: int = 0, dy: int = 0
-) -> Array:
+def evaluate(grid: Grid, nodes: Array, x: Array, y: Array, dx: int = 0, dy: int = 0) -> Array:
     """Return a bicubic Hermite field, or a derivative of it, on a tensor grid of points.
 
     Parameters
     ----------
-    grid_x, grid_y : ndarray, shapes (nx + 1,) and (ny + 1,)
-        Node coordinates, increasing.
-    field : ndarray, shape (..., 4, nx + 1, ny + 1)
+    grid : Grid
+        Its lines increase.
+    nodes : ndarray, shape (..., 4, nx + 1, ny + 1)
         Value, d/dX, d/dY, d2/dXdY at the nodes.
     x, y : ndarray, shapes (m,) and (n,)
         Reference coordinates of the points.
@@ -39,83 +70,16 @@ def evaluate(
 
     # A tensor product: the values and the Y-slopes are each cubic Hermite along X first.
     along = CubicHermiteSpline(
-        grid_x, field[..., [0, 2], :, :], field[..., [1, 3], :, :], axis=field.ndim - 2
+        grid.x, nodes[..., [0, 2], :, :], nodes[..., [1, 3], :, :], axis=nodes.ndim - 2
     )(x, dx)
     across = CubicHermiteSpline(
-        grid_y, along[..., 0, :, :], along[..., 1, :, :], axis=along.ndim - 2
+        grid.y, along[..., 0, :, :], along[..., 1, :, :], axis=along.ndim - 2
     )
     return np.asarray(across(y, dy))
 
 
-def subdivided(grid: Array, per_cell: int) -> Array:
-    """Return the grid with every cell cut into ``per_cell`` equal parts, nodes included."""
-    cells = len(grid) - 1
+def subdivided(lines: Array, per_cell: int) -> Array:
+    """Return grid lines with every cell cut into ``per_cell`` equal parts, the old lines kept."""
+    cells = len(lines) - 1
     steps = np.arange(cells * per_cell + 1) / per_cell
-    return np.interp(steps, np.arange(cells + 1), grid)
-
-
-def unfolded_across(grid_y: Array, position: Array, parity: str) -> tuple[Array, Array]:
-    """Return the grid and the deformed position over the full width from the half 0 <= Y.
-
-    Parameters
-    ----------
-    grid_y : ndarray, shape (ny + 1,)
-        From 0 (mid-line) to 1/2 (free edge).
-    position : ndarray, shape (3, 4, nx + 1, ny + 1)
-        Deformed x, y, z.
-    parity : str
-        ``antisymmetric`` (z odd in Y) or ``symmetric`` (z even in Y).
-
-    Returns
-    -------
-    ndarray, shape (2 ny + 1,)
-        Grid across.
-    ndarray, shape (3, 4, nx + 1, 2 ny + 1)
-        Deformed x, y, z.
-
-    Raises
-    ------
-    ValueError
-        If the parity has another name.
-    """
-    if parity not in _ACROSS:
-        raise ValueError(f"parity = {parity!r}: must be one of {', '.join(_ACROSS)}")
-    sign = np.multiply.outer(_ACROSS[parity], (1.0, 1.0, -1.0, -1.0))[:, :, None, None]
-    mirrored = sign * position[..., :0:-1]
-    return (
-        np.concatenate([-grid_y[:0:-1], grid_y]),
-        np.concatenate([mirrored, position], axis=3),
-    )
-
-
-def unfolded(
-    grid_x: Array, grid_y: Array, position: Array, parity: str
-) -> tuple[Array, Array, Array]:
-    """Return grid and deformed position of the full sheet from the solved quarter.
-
-    Parameters
-    ----------
-    grid_x, grid_y : ndarray, shapes (nx + 1,) and (ny + 1,)
-        From the centre to the clamp and to the free edge.
-    position : ndarray, shape (3, 4, nx + 1, ny + 1)
-        Deformed x, y, z of the quarter.
-    parity : str
-        ``antisymmetric`` or ``symmetric``.
-
-    Returns
-    -------
-    ndarray, shape (2 nx + 1,)
-        Grid along the pull.
-    ndarray, shape (2 ny + 1,)
-        Grid across.
-    ndarray, shape (3, 4, 2 nx + 1, 2 ny + 1)
-        Deformed x, y, z.
-    """
-    grid_y, position = unfolded_across(grid_y, position, parity)
-    sign = np.multiply.outer(_ALONG, (1.0, -1.0, 1.0, -1.0))[:, :, None, None]
-    mirrored = sign * position[:, :, :0:-1]
-    return (
-        np.concatenate([-grid_x[:0:-1], grid_x]),
-        grid_y,
-        np.concatenate([mirrored, position], axis=2),
-    )
+    return np.interp(steps, np.arange(cells + 1), lines)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from wrinklestudy.metrics.interpolant import DeformedSheet
 from wrinklestudy.metrics.profile import Profile, profile_from_state
 from wrinklestudy.typing import Array
 
@@ -114,24 +115,9 @@ def measure(profile: Profile) -> Measures:
     )
 
 
-def measure_position(grid_x: Array, grid_y: Array, position: Array, parity: str) -> Measures:
-    """Measure a computed state on the line half-way between the clamps.
-
-    Parameters
-    ----------
-    grid_x, grid_y : ndarray, shapes (nx + 1,) and (ny + 1,)
-        Node coordinates of the quarter in units of W.
-    position : ndarray, shape (3, 4, nx + 1, ny + 1)
-        Bicubic Hermite degrees of freedom of the deformed position in units of W.
-    parity : str
-        ``antisymmetric`` or ``symmetric``.
-
-    Returns
-    -------
-    Measures
-        Lengths in units of W.
-    """
-    return measure(profile_from_state(grid_x, grid_y, position, parity))
+def measure_sheet(sheet: DeformedSheet) -> Measures:
+    """Measure a computed state on the line half-way between the clamps, lengths in units of W."""
+    return measure(profile_from_state(sheet))
 
 
 def prominent(heights: Array, threshold: float) -> list[int]:
@@ -165,21 +151,21 @@ def prominent(heights: Array, threshold: float) -> list[int]:
 
 
 def _roots(curve: object) -> Array:
-    found = np.asarray(curve.roots(discontinuity=False, extrapolate=False))  # type: ignore[attr-defined]
-    return np.unique(found[np.isfinite(found)])  # a piece that is zero throughout gives NaN
+    roots = np.asarray(curve.roots(discontinuity=False, extrapolate=False))  # type: ignore[attr-defined]
+    return np.unique(roots[np.isfinite(roots)])  # a piece that is zero throughout gives NaN
 
 
 def _crossings(curve: "CubicSpline", extrema: Array, levels: Array) -> Array:
     """Return one zero crossing between each two neighbouring extrema of opposite sign."""
     roots = _roots(curve)
-    found = []
+    crossings = []
     for k in range(len(extrema) - 1):
         if levels[k] * levels[k + 1] < 0.0:
             inside = roots[(roots > extrema[k]) & (roots < extrema[k + 1])]
-            found.append(float(inside.mean()))
+            crossings.append(float(inside.mean()))
         else:
-            found.append(float("nan"))  # keeps the directions alternating
-    return np.array(found)
+            crossings.append(float("nan"))  # keeps the directions alternating
+    return np.array(crossings)
 
 
 def _spacing(positions: Array, centre: float) -> float:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from wrinklestudy.metrics.interpolant import evaluate, subdivided, unfolded_across
+from wrinklestudy.metrics.interpolant import DeformedSheet, subdivided
 from wrinklestudy.typing import Array
 
 SAMPLES_PER_CELL = 64
@@ -53,25 +53,15 @@ class Profile:
 
 
 def profile_from_state(
-    grid_x: Array,
-    grid_y: Array,
-    position: Array,
-    parity: str,
-    x: float = 0.0,
-    per_cell: int = SAMPLES_PER_CELL,
+    sheet: DeformedSheet, x: float = 0.0, per_cell: int = SAMPLES_PER_CELL
 ) -> Profile:
     """Return the cross-section of a computed state on the material line X = ``x``.
 
     Parameters
     ----------
-    grid_x, grid_y : ndarray, shapes (nx + 1,) and (ny + 1,)
-        Node coordinates of the quarter in units of W.
-    position : ndarray, shape (3, 4, nx + 1, ny + 1)
-        Bicubic Hermite degrees of freedom of the deformed position in units of W.
-    parity : str
-        ``antisymmetric`` (z odd in Y) or ``symmetric``.
+    sheet : DeformedSheet
     x : float
-        Reference coordinate of the line, between 0 (half-way between the clamps) and L/2.
+        Reference coordinate of the line, between -L/2 and L/2; 0 is half-way between the clamps.
     per_cell : int
         Samples of the finite element interpolant per cell.
 
@@ -83,14 +73,14 @@ def profile_from_state(
     Raises
     ------
     ValueError
-        If the line is outside the sheet or the parity is unknown.
+        If the line is outside the sheet.
     """
-    if not grid_x[0] <= abs(x) <= grid_x[-1]:
-        raise ValueError(f"x = {x:g}: must lie between 0 and L/2 = {grid_x[-1]:g} (in units of W)")
-    full_y, full = unfolded_across(grid_y, position, parity)
-    points = subdivided(full_y, per_cell)
-    line = evaluate(grid_x, full_y, full, np.array([abs(x)]), points)[:, 0, :]
-    return Profile(y=line[1], z=line[2], x=np.copysign(line[0], x))
+    whole = sheet.unfolded()
+    end = whole.grid.x[-1]
+    if not abs(x) <= end:
+        raise ValueError(f"x = {x:g}: must lie between -L/2 and L/2 = {end:g} (in units of W)")
+    line = whole.evaluate(np.array([x]), subdivided(whole.grid.y, per_cell))[:, 0, :]
+    return Profile(y=line[1], z=line[2], x=line[0])
 
 
 def cleaned(profile: Profile, samples: int = 4096) -> Profile:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from wrinklestudy.metrics.interpolant import evaluate, subdivided, unfolded
+from wrinklestudy.metrics.interpolant import DeformedSheet, evaluate, subdivided
 from wrinklestudy.typing import Array
 
 _SAMPLES_PER_CELL = 8
@@ -20,7 +20,7 @@ class SheetPeak:
     amplitude : float
         Largest |z| in units of W.
     x, y : float
-        Reference coordinates of the point in the quarter, in units of W.
+        Reference coordinates of the point in the part that was solved, in units of W.
     """
 
     amplitude: float
@@ -48,28 +48,17 @@ class SampledSurface:
     reference_y: Array
 
 
-def sheet_peak(grid_x: Array, grid_y: Array, position: Array) -> SheetPeak:
+def sheet_peak(sheet: DeformedSheet) -> SheetPeak:
     """Return the largest |z| of the interpolant over the sheet.
 
     A state whose largest deflection is not near x = 0 is a warning: a flap at the corner where
     clamp and free edge meet is no wrinkle.
-
-    Parameters
-    ----------
-    grid_x, grid_y : ndarray, shapes (nx + 1,) and (ny + 1,)
-        Node coordinates of the quarter in units of W.
-    position : ndarray, shape (3, 4, nx + 1, ny + 1)
-        Bicubic Hermite degrees of freedom of the deformed position in units of W.
-
-    Returns
-    -------
-    SheetPeak
     """
-    deflection = position[2]
-    x = subdivided(grid_x, _SAMPLES_PER_CELL)
-    y = subdivided(grid_y, _SAMPLES_PER_CELL)
+    grid, deflection = sheet.grid, sheet.nodes[2]
+    x = subdivided(grid.x, _SAMPLES_PER_CELL)
+    y = subdivided(grid.y, _SAMPLES_PER_CELL)
     for _ in range(_REFINEMENTS):
-        height = np.abs(evaluate(grid_x, grid_y, deflection, x, y))
+        height = np.abs(evaluate(grid, deflection, x, y))
         i, j = np.unravel_index(int(np.argmax(height)), height.shape)
         best = SheetPeak(float(height[i, j]), float(x[i]), float(y[j]))
         x, y = _around(x, int(i)), _around(y, int(j))
@@ -82,32 +71,20 @@ def _around(points: Array, k: int) -> Array:
     return np.linspace(low, high, 2 * _SAMPLES_PER_CELL + 1)
 
 
-def full_surface(
-    grid_x: Array, grid_y: Array, position: Array, parity: str, per_cell: tuple[int, int]
-) -> SampledSurface:
-    """Return the full deformed sheet and its unit normals from the solved quarter.
+def full_surface(sheet: DeformedSheet, per_cell: tuple[int, int]) -> SampledSurface:
+    """Return the whole deformed sheet and its unit normals.
 
     n = x,X x x,Y / |x,X x x,Y| from the derivatives of the interpolant.
 
     Parameters
     ----------
-    grid_x, grid_y : ndarray, shapes (nx + 1,) and (ny + 1,)
-        Node coordinates of the quarter in units of W.
-    position : ndarray, shape (3, 4, nx + 1, ny + 1)
-        Bicubic Hermite degrees of freedom of the deformed position in units of W.
-    parity : str
-        ``antisymmetric`` or ``symmetric``.
+    sheet : DeformedSheet
     per_cell : tuple of int
         Samples per cell along the pull and across.
-
-    Returns
-    -------
-    Surface
     """
-    full_x, full_y, full = unfolded(grid_x, grid_y, position, parity)
-    x, y = subdivided(full_x, per_cell[0]), subdivided(full_y, per_cell[1])
-    along = evaluate(full_x, full_y, full, x, y, dx=1)
-    across = evaluate(full_x, full_y, full, x, y, dy=1)
+    whole = sheet.unfolded()
+    x, y = subdivided(whole.grid.x, per_cell[0]), subdivided(whole.grid.y, per_cell[1])
+    along, across = whole.evaluate(x, y, dx=1), whole.evaluate(x, y, dy=1)
     normal = np.cross(along, across, axis=0)
     normal /= np.linalg.norm(normal, axis=0)
-    return SampledSurface(evaluate(full_x, full_y, full, x, y), normal, x, y)
+    return SampledSurface(whole.evaluate(x, y), normal, x, y)

@@ -1,6 +1,7 @@
 """HDF5 files of flat and wrinkled states; fields are in the layout of the grid."""
 
 import math
+from collections.abc import Mapping
 from os import fspath
 from pathlib import Path
 from typing import Any
@@ -13,9 +14,11 @@ from wrinklestudy.equilibrium.modes import Modes
 from wrinklestudy.equilibrium.newton import Iteration
 from wrinklestudy.equilibrium.planar import Planar, PlanarSettings
 from wrinklestudy.equilibrium.wrinkled import Equilibrium
+from wrinklestudy.fem.boundary import Symmetry
 from wrinklestudy.fem.grid import Grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics import laws
+from wrinklestudy.metrics.interpolant import DeformedSheet
 from wrinklestudy.results.files import read_h5, write_h5
 from wrinklestudy.results.rows import StateRow, columns, make_row
 from wrinklestudy.typing import AnyPath
@@ -71,9 +74,10 @@ def read_planar(path: Path | str) -> Planar:
         attrs["energy"],
         attrs["nominal_stress"],
         tuple(Iteration(*row) for row in data["history"].tolist()),
+        settings.symmetry,
     )
     modes = Modes(
-        settings.parity,
+        settings.symmetry,
         settings.bending,
         data["modes/squared_thickness"],
         space.field_from_nodes(data["modes/shapes"]),
@@ -162,3 +166,18 @@ def read_wrinkle(path: AnyPath) -> tuple[StateRow, dict[str, Any]]:
 def _attributes() -> list[str]:
     """Return the columns of a state that are attributes of its file."""
     return [column.name for column in columns(StateRow).values() if not column.measured]
+
+
+def deformed_sheet(row: StateRow, datasets: Mapping[str, Any]) -> DeformedSheet:
+    """Return the sheet of a wrinkle file with its grid and mirrors, from what `read_wrinkle` gives.
+
+    Raises
+    ------
+    ValueError
+        If a dataset is missing.
+    """
+    for name in ("grid/x", "grid/y", "position"):
+        if name not in datasets:
+            raise ValueError(f"dataset {name!r} is missing, not a wrinkle file")
+    grid = Grid(datasets["grid/x"], datasets["grid/y"])
+    return DeformedSheet(grid, datasets["position"], Symmetry.mirrored(row.parity))

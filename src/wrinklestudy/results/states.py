@@ -1,17 +1,15 @@
 """The row of a state with what is measured on its shape."""
 
-from collections.abc import Mapping
 from dataclasses import replace
 from os import fspath
 from typing import Any
 
-from wrinklestudy.metrics.measure import Measures, measure_position
+from wrinklestudy.metrics.interpolant import DeformedSheet
+from wrinklestudy.metrics.measure import Measures, measure_sheet
 from wrinklestudy.metrics.surface import SheetPeak, sheet_peak
-from wrinklestudy.results.fields import read_wrinkle
+from wrinklestudy.results.fields import deformed_sheet, read_wrinkle
 from wrinklestudy.results.rows import StateRow, columns
 from wrinklestudy.typing import AnyPath
-
-_GEOMETRY = ("grid/x", "grid/y", "position")
 
 
 def measure_state(path: AnyPath) -> StateRow:
@@ -33,22 +31,16 @@ def measure_state(path: AnyPath) -> StateRow:
     row, datasets = read_wrinkle(path)
     if row.status == "not-converged":
         return unmeasured(row)
-    for name in _GEOMETRY:
-        if name not in datasets:
-            raise ValueError(f"{fspath(path)}: dataset {name!r} is missing, not a wrinkle file")
     try:
-        return _measured(row, datasets)
+        return _measured(row, deformed_sheet(row, datasets))
     except ValueError as error:
         raise ValueError(f"{fspath(path)}: {error}") from None
 
 
-def _measured(row: StateRow, datasets: Mapping[str, Any]) -> StateRow:
-    grid_x, grid_y, position = (datasets[name] for name in _GEOMETRY)
+def _measured(row: StateRow, sheet: DeformedSheet) -> StateRow:
     if row.status == "flat":
-        position = position.copy()
-        position[2] = 0.0  # what is left of a seed that decayed is no wrinkle
-    row = with_measures(row, measure_position(grid_x, grid_y, position, row.parity))
-    return _with_peak(row, sheet_peak(grid_x, grid_y, position))
+        sheet = sheet.flattened()  # what is left of a seed that decayed is no wrinkle
+    return _with_peak(with_measures(row, measure_sheet(sheet)), sheet_peak(sheet))
 
 
 def with_measures(row: StateRow, measures: Measures) -> StateRow:

@@ -1,5 +1,7 @@
 """Branches against states found one by one, birth and decay of the flat state, made-up points."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -7,7 +9,12 @@ from hypothesis import strategies as st
 
 from verification.sheets import LATEX, THICKNESS, quarter, wrinkled
 from wrinklestudy.equilibrium import continuation, stability
-from wrinklestudy.equilibrium.continuation import BranchPoint, ContinuationOptions
+from wrinklestudy.equilibrium.continuation import (
+    BranchPoint,
+    ContinuationOptions,
+    ExtendedSystem,
+    PathPoint,
+)
 from wrinklestudy.equilibrium.planar import PlanarSettings
 from wrinklestudy.equilibrium.planar import solve as solve_planar
 from wrinklestudy.equilibrium.wrinkled import solve
@@ -64,27 +71,30 @@ def test_neighbours_are_at_most_a_step_apart(start):
     """Mean square of the deflection in t and strain in its scale; the arc bends a little."""
     options = ContinuationOptions(step=0.2, largest_step=0.2, max_points=4)
     found = continuation.trace(start, (0.0, 1.0), options=options)
-    tracer = continuation._Tracer(start.planar, THICKNESS, options)
-    unknowns = [position[tracer.free] for position in found.positions]
-    steps = []
-    for k in range(1, 4):
-        step = unknowns[k] - unknowns[k - 1], found.points[k].strain - found.points[k - 1].strain
-        steps.append(np.sqrt(tracer.product(step, step)))
+    system = ExtendedSystem(start.planar, THICKNESS, options)
+    points = [
+        PathPoint(position[system.free], row.strain)
+        for position, row in zip(found.positions, found.points, strict=True)
+    ]
+    changes = [b.minus(a) for a, b in pairwise(points)]
+    steps = [np.sqrt(system.product(change, change)) for change in changes]
     assert steps[0] == pytest.approx(0.2, rel=0.01)
     assert max(steps) <= 0.2 * 1.01
 
 
 def test_tangent_is_the_slope_of_the_states_over_strain(start):
-    tracer = continuation._Tracer(start.planar, THICKNESS, ContinuationOptions())
-    unknowns = start.position[tracer.free]
-    along = tracer.tangent(unknowns, 0.12, (np.zeros_like(unknowns), 1.0))
-    assert tracer.product(along, along) == pytest.approx(1.0, rel=1e-12)
+    system = ExtendedSystem(start.planar, THICKNESS, ContinuationOptions())
+    unknowns = start.position[system.free]
+    along = system.tangent(PathPoint(unknowns, 0.12), upward=True)
+    assert system.product(along, along) == pytest.approx(1.0, rel=1e-12)
     step = 1e-3
-    beside = [state(0.12 + k * step).position[tracer.free] for k in (-1, 1)]
-    w = tracer.deflections
+    beside = [state(0.12 + k * step).position[system.free] for k in (-1, 1)]
+    w = system.deflections
     signs = [np.where(w, np.sign(b[w] @ unknowns[w]), 1.0) for b in beside]
     slope = (signs[1] * beside[1] - signs[0] * beside[0])[w] / (2 * step)
-    assert (along[0] / along[1])[w] == pytest.approx(slope, abs=1e-3 * np.abs(slope).max())
+    assert (along.unknowns / along.strain)[w] == pytest.approx(
+        slope, abs=1e-3 * np.abs(slope).max()
+    )
 
 
 @pytest.mark.parametrize("upward", [True, False])
@@ -119,7 +129,10 @@ def point(strain, amplitude, unstable=0):
 
 def test_folds_and_changes_of_stability_of_a_table():
     points = [point(0.1, 1.0), point(0.2, 1.5), point(0.25, 2.0), point(0.22, 2.5, 1)]
-    assert continuation._special(points) == (("fold", 0.25), ("stability", pytest.approx(0.235)))
+    assert continuation.special_points(points) == (
+        ("fold", 0.25),
+        ("stability", pytest.approx(0.235)),
+    )
 
 
 @given(
@@ -130,5 +143,5 @@ def test_folds_and_changes_of_stability_of_a_table():
 )
 def test_amplitude_vanishes_where_its_square_does(root, slope, sides, sign):
     points = [point(root + sign * d, np.sqrt(slope * d)) for d in sides]
-    found = continuation._special([*points, point(root, 0.0)])
+    found = continuation.special_points([*points, point(root, 0.0)])
     assert found == (("vanishing", pytest.approx(root, abs=1e-9)),)

@@ -7,7 +7,8 @@ import pytest
 
 from wrinklestudy.equilibrium import flat
 from wrinklestudy.equilibrium.newton import NewtonOptions
-from wrinklestudy.fem.grid import MeshSettings, make_grid
+from wrinklestudy.fem.boundary import NO_MIRRORS, QUARTER
+from wrinklestudy.fem.grid import Grid, MeshSettings, make_grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics.laws import mooney_rivlin, neo_hookean, saint_venant_kirchhoff
 
@@ -88,3 +89,15 @@ def test_width_contracts_most_in_the_middle(space):
     assert np.all(np.diff(width) > 0)
     assert width[-1] == pytest.approx(0.5)
     assert width[0] == pytest.approx(0.5 * 1.3**-0.5, rel=0.02)
+
+
+def test_the_sheet_without_mirrors_is_the_quarter_unfolded(space):
+    """Four times the energy, the same force and the same position, from both clamped ends."""
+    quarter = flat.solve(space, LATEX, 0.2)
+    y, nodes = QUARTER.unfold_across(space.grid.y, space.nodes_from_field(quarter.sheet_position))
+    x, nodes = QUARTER.unfold_along(space.grid.x, nodes)
+    whole = flat.solve(Grid(x, y), LATEX, 0.2, symmetry=NO_MIRRORS)
+    assert whole.energy == pytest.approx(4 * quarter.energy, rel=1e-12)
+    assert whole.force == pytest.approx(quarter.force, rel=1e-9)
+    position = whole.space.nodes_from_field(whole.sheet_position)
+    assert np.abs(position - nodes)[:, 0].max() < 1e-9

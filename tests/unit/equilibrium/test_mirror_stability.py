@@ -16,10 +16,12 @@ from verification.sheets import (
     quarter,
 )
 from wrinklestudy.equilibrium import flat, mirror_stability, modes, wrinkled
+from wrinklestudy.equilibrium.mirror_stability import MirrorClass
 from wrinklestudy.equilibrium.planar import PlanarSettings
+from wrinklestudy.fem.boundary import Symmetry
 from wrinklestudy.fem.factorisation import SuperLUIndefinite
 
-OWN, SLIDING = (True, True), (True, False)
+OWN, SLIDING = MirrorClass(True, True), MirrorClass(True, False)
 
 
 @pytest.fixture(scope="module")
@@ -59,7 +61,7 @@ def test_softest_eigenvalue_of_the_flat_sheet_is_its_distance_to_tau(known, pari
     assert state.status == "flat"
     classes = mirror_stability.classes(state)
     for kind, which in ((OWN, parity), (SLIDING, other)):
-        squared = modes.spectrum(known, parity=which, count=1).squared[0]
+        squared = modes.spectrum(known, symmetry=Symmetry.mirrored(which), count=1).squared[0]
         found = of_class(classes, kind)
         assert found.softest == pytest.approx(1 - squared / thickness**2, rel=1e-8)
         assert found.unstable == 0

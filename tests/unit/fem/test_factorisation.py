@@ -8,16 +8,20 @@ from scipy import sparse
 
 from wrinklestudy.fem import factorisation
 
+NEEDS_PARDISO = pytest.mark.skipif(
+    importlib.util.find_spec("pypardiso") is None, reason="pypardiso has wheels for x86-64 only"
+)
 SOLVERS = [
-    pytest.param(
-        factorisation.PardisoSolver,
-        marks=pytest.mark.skipif(
-            importlib.util.find_spec("pypardiso") is None,
-            reason="pypardiso has wheels for x86-64 only",
-        ),
-    ),
+    pytest.param(factorisation.PardisoSolver, marks=NEEDS_PARDISO),
     factorisation.SuperLUSolver,
 ]
+INDEFINITE = [
+    pytest.param(factorisation.PardisoIndefinite, marks=NEEDS_PARDISO),
+    factorisation.SuperLUIndefinite,
+]
+
+
+SHIFTS = [-1.0, 0.01, 0.5, 1.2, 5.0]
 
 
 def matrix(shift, size=80, seed=0):
@@ -56,17 +60,28 @@ def test_reuses_the_pattern_for_new_numbers(solver):
 
 
 @pytest.mark.parametrize("solver", SOLVERS)
-@pytest.mark.parametrize("shift", [-1.0, 0.01, 0.5, 1.2, 5.0])
-def test_inertia_and_definiteness(solver, shift):
+@pytest.mark.parametrize("shift", SHIFTS)
+def test_only_definite_matrices_are_factorised(solver, shift):
+    full = matrix(shift)
+    if np.linalg.eigvalsh(full).min() < 0:
+        with pytest.raises(factorisation.NotPositiveDefiniteError):
+            solver().factorise(upper(full))
+    else:
+        solver().factorise(upper(full))
+
+
+@pytest.mark.parametrize("solver", INDEFINITE)
+@pytest.mark.parametrize("shift", SHIFTS)
+def test_indefinite_matrices_are_solved_and_their_negative_eigenvalues_counted(solver, shift):
     full = matrix(shift)
     negative = int(np.sum(np.linalg.eigvalsh(full) < 0))
     factor = solver()
-    assert factor.negative(upper(full)) == negative
-    if negative:
-        with pytest.raises(factorisation.NotPositiveDefiniteError):
-            factor.factorise(upper(full))
-    else:
-        factor.factorise(upper(full))
+    factor.factorise(upper(full))
+    assert factor.negative_eigenvalues == negative
+    assert factorisation.count_negative_eigenvalues(upper(full)) == negative
+    rhs = np.random.default_rng(1).standard_normal((len(full), 2))
+    for block in (rhs, rhs[:, 0]):
+        assert np.allclose(full @ factor.solve(block), block, atol=1e-8)
 
 
 def test_multiply_uses_both_triangles():

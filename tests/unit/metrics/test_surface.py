@@ -4,13 +4,16 @@ import numpy as np
 import pytest
 from numpy.polynomial import Polynomial
 
-from wrinklestudy.metrics.interpolant import evaluate, unfolded
-from wrinklestudy.metrics.measure import measure_position
+from wrinklestudy.fem.boundary import QUARTER, Symmetry
+from wrinklestudy.fem.grid import Grid
+from wrinklestudy.metrics.interpolant import DeformedSheet, evaluate
+from wrinklestudy.metrics.measure import measure_sheet
 from wrinklestudy.metrics.profile import profile_from_state
 from wrinklestudy.metrics.surface import full_surface, sheet_peak
 
 GRID_X = 1.0 - (1.0 - np.linspace(0.0, 1.0, 7)) ** 1.5
 GRID_Y = np.linspace(0.0, 0.5, 5)
+GRID = Grid(GRID_X, GRID_Y)
 # Even in X with a level clamp; odd in Y. Both are cubic on each cell, so the element holds them.
 ALONG = Polynomial([1.0, 0.0, -3.0, 2.0])
 ACROSS = Polynomial([0.0, 1.0, 0.0, -4.0])
@@ -24,9 +27,10 @@ def dofs(f, g, grid_x=GRID_X, grid_y=GRID_Y):
     return np.stack([np.outer(a(grid_x), b(grid_y)) for a, b in pairs])
 
 
-def state(deflection):
+def state(deflection, symmetry=QUARTER):
     """A sheet stretched by 10% and narrowed by 5% with the given deflection."""
-    return np.stack([1.1 * dofs(LINE, ONE), 0.95 * dofs(ONE, LINE), deflection])
+    nodes = np.stack([1.1 * dofs(LINE, ONE), 0.95 * dofs(ONE, LINE), deflection])
+    return DeformedSheet(GRID, nodes, symmetry)
 
 
 def test_a_bicubic_is_reproduced_with_its_derivatives():
@@ -35,13 +39,13 @@ def test_a_bicubic_is_reproduced_with_its_derivatives():
     x, y = np.linspace(0.0, 1.0, 23), np.linspace(0.0, 0.5, 17)
     for dx, dy in ((0, 0), (1, 0), (0, 1), (1, 1), (2, 0), (0, 2)):
         exact = np.outer(f.deriv(dx)(x), g.deriv(dy)(y))
-        found = evaluate(GRID_X, GRID_Y, dofs(f, g), x, y, dx, dy)
+        found = evaluate(GRID, dofs(f, g), x, y, dx, dy)
         assert found == pytest.approx(exact, abs=1e-11)
 
 
 def test_the_peak_between_nodes_is_found():
     """z = Y - 4 Y^3 peaks at Y = 1/sqrt(12), between the nodes 1/4 and 3/8."""
-    found = measure_position(GRID_X, GRID_Y, state(1e-2 * dofs(ALONG, ACROSS)), "antisymmetric")
+    found = measure_sheet(state(1e-2 * dofs(ALONG, ACROSS)))
     assert found.amplitude == pytest.approx(1e-2 * (2.0 / 3.0) / np.sqrt(12.0), rel=1e-7)
     assert found.amplitude > 1.02e-2 * ACROSS(GRID_Y).max()  # nodes alone would miss it
     assert found.extrema == pytest.approx(0.95 / np.sqrt(12.0) * np.array([-1.0, 1.0]), rel=1e-6)
@@ -49,35 +53,33 @@ def test_the_peak_between_nodes_is_found():
 
 
 def test_the_profile_has_the_parity_of_the_state():
-    odd = profile_from_state(GRID_X, GRID_Y, state(dofs(ALONG, ACROSS)), "antisymmetric", x=0.3)
+    odd = profile_from_state(state(dofs(ALONG, ACROSS)), x=0.3)
     assert odd.z == pytest.approx(-odd.z[::-1], abs=1e-15)
     assert odd.z == pytest.approx(ALONG(0.3) * ACROSS(odd.y / 0.95), abs=1e-13)
     assert odd.x == pytest.approx(0.33)
     level = Polynomial([1.0, 0.0, -3.0])
-    even = profile_from_state(GRID_X, GRID_Y, state(dofs(ALONG, level)), "symmetric", x=-0.3)
+    even = profile_from_state(state(dofs(ALONG, level), Symmetry.mirrored("symmetric")), x=-0.3)
     assert even.z == pytest.approx(even.z[::-1], abs=1e-15)
     assert even.z == pytest.approx(ALONG(0.3) * level(even.y / 0.95), abs=1e-13)
     assert even.x == pytest.approx(-0.33)
 
 
-def test_a_line_off_the_sheet_and_an_unknown_parity_are_refused():
-    with pytest.raises(ValueError, match=r"x = 1.2: must lie between 0 and L/2 = 1"):
-        profile_from_state(GRID_X, GRID_Y, state(dofs(ALONG, ACROSS)), "antisymmetric", x=1.2)
-    with pytest.raises(ValueError, match="parity = 'odd': must be one of antisymmetric, symmetric"):
-        profile_from_state(GRID_X, GRID_Y, state(dofs(ALONG, ACROSS)), "odd")
+def test_a_line_off_the_sheet_is_refused():
+    with pytest.raises(ValueError, match=r"x = 1.2: must lie between -L/2 and L/2 = 1"):
+        profile_from_state(state(dofs(ALONG, ACROSS)), x=1.2)
 
 
 def test_the_full_sheet_is_the_function_continued():
     """Even in X and odd in Y, the polynomial holds on the whole sheet and so do its derivatives."""
     even = Polynomial([1.0, 0.0, -1.0])
-    grid_x, grid_y, full = unfolded(GRID_X, GRID_Y, state(dofs(even, ACROSS)), "antisymmetric")
+    whole = state(dofs(even, ACROSS)).unfolded()
     x, y = np.linspace(-1.0, 1.0, 31), np.linspace(-0.5, 0.5, 29)
     for dx, dy in ((0, 0), (1, 0), (0, 1), (1, 1)):
-        found = evaluate(grid_x, grid_y, full, x, y, dx, dy)
+        found = whole.evaluate(x, y, dx, dy)
         assert found[2] == pytest.approx(
             np.outer(even.deriv(dx)(x), ACROSS.deriv(dy)(y)), abs=1e-12
         )
-    flat = evaluate(grid_x, grid_y, full, x, y)
+    flat = whole.evaluate(x, y)
     assert flat[0] == pytest.approx(np.outer(1.1 * x, np.ones(29)), abs=1e-14)
     assert flat[1] == pytest.approx(np.outer(np.ones(31), 0.95 * y), abs=1e-14)
 
@@ -85,9 +87,7 @@ def test_the_full_sheet_is_the_function_continued():
 def test_the_normal_is_that_of_the_graph():
     """For x = 1.1 X, y = 0.95 Y the surface is the graph z(x, y): n ~ (-z,x, -z,y, 1)."""
     even = Polynomial([0.1, 0.0, -0.1])
-    surface = full_surface(
-        GRID_X, GRID_Y, state(dofs(even, ACROSS)), "antisymmetric", per_cell=(2, 3)
-    )
+    surface = full_surface(state(dofs(even, ACROSS)), per_cell=(2, 3))
     x, y = surface.reference_x, surface.reference_y
     graph = np.stack(
         [
@@ -103,7 +103,16 @@ def test_the_normal_is_that_of_the_graph():
 def test_the_largest_deflection_of_the_sheet_is_found_where_it_is():
     """z = (X^2 - X^3)(Y - 4 Y^3) is largest at X = 2/3, Y = 1/sqrt(12), inside cells."""
     hump = Polynomial([0.0, 0.0, 1.0, -1.0])
-    peak = sheet_peak(GRID_X, GRID_Y, state(-1e-3 * dofs(hump, ACROSS)))
+    peak = sheet_peak(state(-1e-3 * dofs(hump, ACROSS)))
     exact = 1e-3 * (4.0 / 27.0) * (2.0 / 3.0) / np.sqrt(12.0)
     assert peak.amplitude == pytest.approx(exact, rel=1e-9)
     assert (peak.x, peak.y) == pytest.approx((2.0 / 3.0, 1.0 / np.sqrt(12.0)), abs=1e-4)
+
+
+def test_profiles_do_not_depend_on_how_the_sheet_was_solved():
+    """The whole sheet and the quarter that it unfolds from are one function."""
+    sheet = state(1e-2 * dofs(ALONG, ACROSS))
+    for x in (0.0, -0.3):
+        whole, quarter = (profile_from_state(s, x=x) for s in (sheet.unfolded(), sheet))
+        assert np.array_equal(whole.y, quarter.y)
+        assert np.array_equal(whole.z, quarter.z)

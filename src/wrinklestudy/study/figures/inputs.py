@@ -4,14 +4,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from wrinklestudy.material.result import Fit
+from wrinklestudy.metrics.interpolant import DeformedSheet
 from wrinklestudy.metrics.profile import Profile, profile_from_state
 from wrinklestudy.metrics.surface import SampledSurface, full_surface
-from wrinklestudy.results.fields import read_wrinkle
+from wrinklestudy.results.fields import deformed_sheet, read_wrinkle
 from wrinklestudy.results.load import load_sheets
 from wrinklestudy.results.materials import load_fit
 from wrinklestudy.results.sheets import SheetStates
@@ -19,7 +19,6 @@ from wrinklestudy.study import measurements
 from wrinklestudy.study.figures.series import number
 from wrinklestudy.study.figures.style import LAW_NAMES
 from wrinklestudy.study.measurements import Points, Scan, SheetSize
-from wrinklestudy.typing import Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,10 +33,10 @@ class StateFile:
         Strain energy.
     status : str
         wrinkled, flat or not-converged.
-    parity : str
+    parity : {'antisymmetric', 'symmetric'}
         Of the wrinkle.
-    datasets : dict
-        Arrays of the file.
+    sheet : DeformedSheet or None
+        Its shape; None where it did not converge.
     """
 
     strain: float
@@ -46,7 +45,7 @@ class StateFile:
     law: str
     status: str
     parity: str
-    datasets: dict[str, Any] = field(repr=False)
+    sheet: DeformedSheet | None = field(repr=False)
 
     @property
     def note(self) -> str:
@@ -56,14 +55,16 @@ class StateFile:
 
     def profile(self, per_cell: int = 8) -> Profile:
         """Return the cross-section half-way between the clamps, in units of W."""
-        return profile_from_state(*self._geometry(), self.parity, per_cell=per_cell)
+        return profile_from_state(self._known(), per_cell=per_cell)
 
     def surface(self, per_cell: tuple[int, int]) -> SampledSurface:
         """Return the full deformed sheet, in units of W."""
-        return full_surface(*self._geometry(), self.parity, per_cell)
+        return full_surface(self._known(), per_cell)
 
-    def _geometry(self) -> tuple[Array, Array, Array]:
-        return self.datasets["grid/x"], self.datasets["grid/y"], self.datasets["position"]
+    def _known(self) -> DeformedSheet:
+        if self.sheet is None:
+            raise ValueError(f"state at strain {self.strain:g}: {self.status}, has no shape")
+        return self.sheet
 
 
 @dataclass(frozen=True)
@@ -172,5 +173,5 @@ def _load_state(path: Path) -> StateFile:
         law=row.law,
         status=row.status,
         parity=row.parity,
-        datasets=datasets,
+        sheet=None if row.status == "not-converged" else deformed_sheet(row, datasets),
     )
