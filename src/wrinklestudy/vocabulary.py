@@ -2,8 +2,6 @@
 
 from typing import Literal, get_args
 
-Bending = Literal["thinning", "fixed-thickness", "fvk"]
 Parity = Literal["antisymmetric", "symmetric"]
 
-BENDING_LAWS: tuple[Bending, ...] = get_args(Bending)
 PARITIES: tuple[Parity, ...] = get_args(Parity)

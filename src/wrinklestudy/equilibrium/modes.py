@@ -25,7 +25,7 @@ from wrinklestudy.fem.assembly import Assembler, shared_assembler
 from wrinklestudy.fem.factorisation import NotPositiveDefiniteError, Solver, symmetric
 from wrinklestudy.mechanics import membrane, plate
 from wrinklestudy.typing import Array
-from wrinklestudy.vocabulary import Bending, Parity
+from wrinklestudy.vocabulary import Parity
 
 # A mode is one of the corner when more than half of its bending energy sits beyond these parts of
 # half the length and half the width.
@@ -49,8 +49,8 @@ class Modes:
     ----------
     parity : {'antisymmetric', 'symmetric'}
         Of the deflection across y = 0.
-    bending : {'thinning', 'fixed-thickness', 'fvk'}
-        The bending law.
+    bending : str
+        The bending law, a name in `mechanics.bending.BENDING_LAWS`.
     squared : (m,) array
         tau_i^2 in units of W^2, falling; negative where no thickness makes the mode unstable.
     shapes : (m, size) array
@@ -64,7 +64,7 @@ class Modes:
     """
 
     parity: Parity
-    bending: Bending
+    bending: str
     squared: Array
     shapes: Array
     corner: Array
@@ -89,7 +89,7 @@ class Modes:
 
 def deflection_matrices(
     flat: Flat,
-    bending: Bending,
+    bending: str,
     parity: Parity,
     keeps_x: bool = True,
     keeps_y: bool = True,
@@ -117,7 +117,7 @@ class Spectrum(NamedTuple):
 
 def spectrum(
     flat: Flat,
-    bending: Bending = "thinning",
+    bending: str = "thinning",
     parity: Parity = "antisymmetric",
     count: int = 8,
 ) -> Spectrum:
@@ -127,8 +127,8 @@ def spectrum(
     ----------
     flat : Flat
         The flat equilibrium.
-    bending : {'thinning', 'fixed-thickness', 'fvk'}
-        The bending law.
+    bending : str
+        The bending law, a name in `mechanics.bending.BENDING_LAWS`.
     parity : {'antisymmetric', 'symmetric'}
         Of the deflection across y = 0.
     count : int
@@ -148,7 +148,7 @@ def spectrum(
 
 
 def critical_thickness(
-    flat: Flat, bending: Bending = "thinning", parity: Parity = "antisymmetric"
+    flat: Flat, bending: str = "thinning", parity: Parity = "antisymmetric"
 ) -> float:
     """Return tau_1, the largest critical thickness of a wrinkle, in units of W.
 
@@ -165,7 +165,7 @@ def critical_thickness(
 
 def critical_modes(
     flat: Flat,
-    bending: Bending = "thinning",
+    bending: str = "thinning",
     parity: Parity = "antisymmetric",
     count: int = 8,
 ) -> Modes:

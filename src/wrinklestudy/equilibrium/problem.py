@@ -8,7 +8,9 @@ from wrinklestudy.equilibrium.flat import Flat
 from wrinklestudy.equilibrium.modes import Modes
 from wrinklestudy.fem.assembly import shared_assembler
 from wrinklestudy.mechanics import plate
-from wrinklestudy.mechanics.section import Section, SectionDerivatives
+from wrinklestudy.mechanics.bending import SectionDerivatives
+from wrinklestudy.mechanics.section import Section
+from wrinklestudy.mechanics.surface import SurfaceGeometry
 from wrinklestudy.typing import Array
 
 
@@ -53,7 +55,7 @@ class PlateProblem:
 
     def assemble(
         self,
-        surface: plate.SurfaceGeometry,
+        surface: SurfaceGeometry,
         section: SectionDerivatives,
         of_tangent: SectionDerivatives,
     ) -> tuple[float, Array, sparse.csr_array]:
@@ -110,7 +112,7 @@ class Predicting:
     def __init__(self, problem: PlateProblem) -> None:
         self.problem = problem
         self.energy, self.residual, self.shift = problem.energy, problem.residual, problem.shift
-        self._last: tuple[Array, plate.SurfaceGeometry, SectionDerivatives] | None = None
+        self._last: tuple[Array, SurfaceGeometry, SectionDerivatives] | None = None
 
     def derivatives(self, unknowns: Array) -> tuple[float, Array, sparse.csr_array]:
         """Return the energy, the residual and the upper triangle of the predicted tangent."""

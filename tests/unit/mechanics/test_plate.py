@@ -7,9 +7,9 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from wrinklestudy.mechanics import membrane, plate
+from wrinklestudy.mechanics.bending import BENDING_LAWS
 from wrinklestudy.mechanics.laws import mooney_rivlin, neo_hookean, saint_venant_kirchhoff
 from wrinklestudy.mechanics.section import Section
-from wrinklestudy.vocabulary import BENDING_LAWS
 
 LAWS = {
     "mooney-rivlin": mooney_rivlin(6.21e4, 1.58e5).law,

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from wrinklestudy.results.cases import canonical
 from wrinklestudy.results.peaks import peak_row
 from wrinklestudy.results.table import CASE, read_states, stability_row
-from wrinklestudy.study.figures.style import LAW_NAMES, SHORT_NAMES
+from wrinklestudy.study.figures.style import law_label, short_law_label
 from wrinklestudy.typing import Array
 
 Row = Mapping[str, Any]
@@ -169,10 +169,10 @@ def _or_none(value: float) -> float | None:
 def _labels(cases: list[Row]) -> list[str]:
     """Return what tells each case from the others: its law if there is but one."""
     varied = [name for name in CASE[1:] if len({case[name] for case in cases}) > 1] or ["law"]
-    names = LAW_NAMES if varied == ["law"] else SHORT_NAMES
+    name_of = law_label if varied == ["law"] else short_law_label
     labels = []
     for case in cases:
-        parts = [names.get(case["law"], str(case["law"]))] if "law" in varied else []
+        parts = [name_of(str(case["law"]))] if "law" in varied else []
         parts += [
             f"${_SYMBOLS[name]} = {number(case[name])}$" for name in _SYMBOLS if name in varied
         ]
@@ -187,7 +187,7 @@ def note(series: Sequence[Series]) -> str:
     """Return what all series have in common and their labels do not say."""
     first, parts = series[0], []
     if len({one.law for one in series}) == 1 and len(series) > 1:
-        parts.append(LAW_NAMES.get(first.law, first.law))
+        parts.append(law_label(first.law))
     for name, symbol in _SYMBOLS.items():
         if len({getattr(one, name) for one in series}) == 1:
             parts.append(f"${symbol} = {number(getattr(first, name))}$")
