@@ -262,8 +262,9 @@ def _same(one: Fit, other: Fit) -> bool:
 @pytest.mark.parametrize("law", LAWS)
 def test_the_material_file_gives_back_every_bit_of_the_fit(tmp_path: Path, law: str) -> None:
     output = tmp_path / "material" / "latex.json"
-    material.run(TRELOAR, law, "latex", (1.0, 1.65), ["uniaxial", "biaxial"], output)
-    result = fit(TRELOAR, law, stretch=(1.0, 1.65), modes=["uniaxial", "biaxial"])
+    window = (1.0, 1.65) if law in SOFT else None  # short of which points few constants are told
+    material.run(TRELOAR, law, "latex", window, ["uniaxial", "biaxial"], output)
+    result = fit(TRELOAR, law, stretch=window, modes=["uniaxial", "biaxial"])
     assert _same(load_fit(output), result)
     assert load_material(output) == result.material()
     content = json.loads(output.read_text())
@@ -272,7 +273,7 @@ def test_the_material_file_gives_back_every_bit_of_the_fit(tmp_path: Path, law: 
     assert "Treloar" in content["source_note"]
     assert content["shear_modulus_pa"] == result.material().shear_modulus
     first = output.read_bytes()
-    material.run(TRELOAR, law, "latex", (1.0, 1.65), ["uniaxial", "biaxial"], output)
+    material.run(TRELOAR, law, "latex", window, ["uniaxial", "biaxial"], output)
     assert output.read_bytes() == first
     assert [path.name for path in output.parent.iterdir()] == ["latex.json"]
 
