@@ -170,13 +170,14 @@ class Search:
             run = self._run(start, box, _COARSE, "2-point")
             # A pure number that ends at 0 has lost its sign on the way: there is no such law.
             lost = self.signed & (np.abs(run.x) < _AT_BOUND * np.abs(start))
-            if run.status > 0 and not lost.any():
+            if not lost.any():
                 found.append((float(run.cost), run.x, box))
-        if not found:
-            raise ValueError("no start leads to a minimum; take a law of fewer constants")
-        _, values, box = min(found, key=lambda one: one[0])
-        run = self._run(values, box, _FINE, "3-point")
-        return run.x, run.jac, *box
+        if found:
+            _, values, box = min(found, key=lambda one: one[0])
+            run = self._run(values, box, _FINE, "3-point")
+            if run.status > 0:
+                return run.x, run.jac, *box
+        raise ValueError("no start leads to a minimum; take a law of fewer constants")
 
     def estimate(self) -> tuple[Estimate, Array]:
         """Return the best estimate from all starts, and the derivatives of the model there.
