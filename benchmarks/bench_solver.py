@@ -20,8 +20,9 @@ from wrinklestudy.fem.factorisation import make_solver  # noqa: E402
 from wrinklestudy.fem.grid import MeshSettings, make_grid  # noqa: E402
 from wrinklestudy.fem.space import Space  # noqa: E402
 from wrinklestudy.mechanics import plate  # noqa: E402
+from wrinklestudy.mechanics.bending import SectionDerivatives  # noqa: E402
 from wrinklestudy.mechanics.laws import mooney_rivlin  # noqa: E402
-from wrinklestudy.mechanics.section import SectionDerivatives  # noqa: E402
+from wrinklestudy.mechanics.surface import SurfaceGeometry  # noqa: E402
 
 LATEX = mooney_rivlin(6.21e4, 1.58e5)
 STRAIN, THICKNESS = 0.12, 1.0e-3
@@ -66,7 +67,7 @@ def rounds(setup: Setup) -> int:
     return 5 if setup.problem.assembler.size < 50000 else 2
 
 
-def surface_of(setup: Setup) -> tuple[plate.SurfaceGeometry, SectionDerivatives]:
+def surface_of(setup: Setup) -> tuple[SurfaceGeometry, SectionDerivatives]:
     """Return the geometry and the section at the Gauss points."""
     position = setup.problem.position(setup.unknowns)
     return plate.respond(setup.problem.section, setup.planar.flat.space.derivatives(position))

@@ -13,7 +13,6 @@ from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics.laws import Law
 from wrinklestudy.mechanics.section import Section
 from wrinklestudy.typing import Array
-from wrinklestudy.vocabulary import Bending
 
 STRIP_LENGTH = 2.0
 STRIP_THICKNESS = 1.0e-3
@@ -45,7 +44,7 @@ class Buckling(NamedTuple):
     strain: float
 
 
-def euler(law: Law, bending: Bending, thickness: float, cells: int) -> Buckling:
+def euler(law: Law, bending: str, thickness: float, cells: int) -> Buckling:
     """Return the compression at which the smallest stiffness of the flat strip vanishes."""
     space, free = _strip(cells)
     free[:2] = False
@@ -115,7 +114,7 @@ def _elastica_shape(space: Space, m: float) -> Array:
     return space.field_from_nodes(values)
 
 
-def elastica(law: Law, bending: Bending, shortening: float, cells: int) -> Elastica:
+def elastica(law: Law, bending: str, shortening: float, cells: int) -> Elastica:
     """Return force and deflection of the strip from the assembled sheet."""
     space, free = _strip(cells)
     start = _elastica_shape(space, elastica_formula(law, shortening)[1])
@@ -131,7 +130,7 @@ def elastica(law: Law, bending: Bending, shortening: float, cells: int) -> Elast
     return Elastica(-2.0 * float(forces[0, end].sum()), abs(float(heights[0] - heights[-1])))
 
 
-def clamped_plate(law: Law, bending: Bending, cells: int) -> float:
+def clamped_plate(law: Law, bending: str, cells: int) -> float:
     """Return w_max D/(q a^4) of a clamped square plate under a small uniform pressure.
 
     The pressure is such that w_max is about `PLATE_DEFLECTION` of the thickness, so that the

@@ -7,18 +7,18 @@ from scipy.interpolate import CubicSpline
 
 from verification.checks import Check, Group, Table, write
 from verification.law_curves import AMPLITUDE_MESH, MATERIALS, MESH, Curve, curves, softer
-from verification.sheets import THICKNESS
+from verification.sheets import BENDING_LAWS, THICKNESS
 from verification.stretched_stiffness import across_pull, closed_form
+from wrinklestudy.mechanics import bending as registry
 from wrinklestudy.mechanics.laws import MooneyRivlin
 from wrinklestudy.study.figures import style
 from wrinklestudy.typing import Array
-from wrinklestudy.vocabulary import BENDING_LAWS, Bending
 
 PAPER, OTHERS, NEO, LINEAR = MATERIALS
 # What Panaitescu et al. (2019) say: of their own sheet, and of Li and Healey (2016) and Fu et al.
 # (2019), who took 10:1
 PAPER_DECAY, OTHERS_DECAY = 0.4, 0.3
-FAMILIES: dict[Bending, str] = {
+FAMILIES: dict[str, str] = {
     "thinning": "solid elements; shells of finite membrane strain that follow the thickness "
     "(Abaqus S4R and the like)",
     "fixed-thickness": "Kirchhoff-Love shells with the metric a - 2 zeta b through a thickness "
@@ -28,9 +28,7 @@ FAMILIES: dict[Bending, str] = {
 }
 
 
-_NAMES = {"thinning": "thinning", "fixed-thickness": "fixed thickness", "fvk": "FvK"}
-
-Curves = dict[tuple[str, Bending], Curve]
+Curves = dict[tuple[str, str], Curve]
 
 
 def quick() -> list[Check]:
@@ -151,7 +149,11 @@ def _plot(done: Curves, path: Path) -> None:
         for (name, bending), curve in done.items():
             column, look = list(MATERIALS).index(name), lines[bending]
             top, middle, low = panels[:, column]
-            options = {"color": look.color, "linestyle": look.line, "label": _NAMES[bending]}
+            options = {
+                "color": look.color,
+                "linestyle": look.line,
+                "label": registry.BENDING_LAWS[bending].label,
+            }
             ends = np.array([curve.birth, curve.decay])
             strains = np.concatenate([ends[:1], curve.wrinkled, ends[1:]])
             # A^2 is smooth at both ends, A is not

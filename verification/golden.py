@@ -18,7 +18,7 @@ from wrinklestudy.material.fit import fit
 from wrinklestudy.mechanics.laws import Material
 from wrinklestudy.results.files import atomic_path
 from wrinklestudy.sheet import Sheet, State
-from wrinklestudy.vocabulary import Bending, Parity
+from wrinklestudy.vocabulary import Parity
 
 DEFAULT = (MeshSettings().cells_along, MeshSettings().cells_across)
 FINER = (36, 54)
@@ -58,7 +58,7 @@ class Case:
     strains: tuple[float, ...]
     measures: tuple[str, ...] = ("A/t",)
     ends: tuple[str, ...] = ()
-    bending: Bending = "thinning"
+    bending: str = "thinning"
     parity: Parity = "antisymmetric"
     aspect: float = 2.0
     thickness: float = 1.0e-3

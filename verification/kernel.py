@@ -28,9 +28,9 @@ from wrinklestudy.equilibrium.seeds import seed_position, seeds
 from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics import laws
+from wrinklestudy.mechanics.bending import BENDING_LAWS
 from wrinklestudy.mechanics.laws import Law
 from wrinklestudy.mechanics.section import Section
-from wrinklestudy.vocabulary import BENDING_LAWS
 
 # Laws and the principal stretches of the states; SVK has no thickness left beyond its own.
 LAWS: dict[str, tuple[Law, tuple[float, float]]] = {

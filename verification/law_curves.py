@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from verification.sheets import (
+    BENDING_LAWS,
     LATEX,
     NEO_HOOKEAN,
     SVK,
@@ -21,7 +22,6 @@ from wrinklestudy.equilibrium.planar import PlanarSettings
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics.laws import Material
 from wrinklestudy.typing import Array
-from wrinklestudy.vocabulary import BENDING_LAWS, Bending
 
 MESH, AMPLITUDE_MESH = (24, 36), (16, 24)
 # Material and largest strain that is looked at
@@ -38,7 +38,7 @@ class Curve(NamedTuple):
     """One material with one bending law."""
 
     material: str
-    bending: Bending
+    bending: str
     strains: Array  # of tau, sorted
     critical: Array  # tau_1/W
     birth: float
@@ -57,7 +57,7 @@ def curves(name: str) -> list[Curve]:
     material, top = MATERIALS[name]
     space, coarse = quarter(*MESH), quarter(*AMPLITUDE_MESH)
     strains = np.linspace(top / POINTS, top, POINTS)
-    known: dict[Bending, list[tuple[float, float]]] = {bending: [] for bending in BENDING_LAWS}
+    known: dict[str, list[tuple[float, float]]] = {bending: [] for bending in BENDING_LAWS}
     for strain in strains:
         state = flat.solve(space, material.law, float(strain))
         for bending in BENDING_LAWS:
@@ -89,7 +89,7 @@ def _strains_between(birth: float, decay: float) -> Array:
     return birth + 0.5 * (decay - birth) * (1.0 - np.cos(angle))
 
 
-def _amplitude(space: Space, material: Material, strain: float, bending: Bending) -> float:
+def _amplitude(space: Space, material: Material, strain: float, bending: str) -> float:
     state = flat.solve(space, material.law, strain)
     return amplitude(
         wrinkled(planar_state(state, material, PlanarSettings(bending, modes=4)), THICKNESS)

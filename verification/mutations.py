@@ -84,14 +84,14 @@ MUTATIONS = (
     Mutation(
         "closed_forms",
         "lambda3 dropped, with its derivatives",
-        "mechanics/laws.py",
+        "mechanics/laws/incompressible.py",
         "return stretch, first * slope, hessian",
         "return np.ones_like(det), 0.0 * slope, 0.0 * hessian",
     ),
     Mutation(
         "closed_forms",
         "a factor two in the second derivative of the law",
-        "mechanics/laws.py",
+        "mechanics/laws/mooney_rivlin.py",
         "by_det2 = 2.0 * (",
         "by_det2 = 1.0 * (",
     ),
@@ -119,9 +119,9 @@ MUTATIONS = (
     Mutation(
         "independent",
         "arm of the upper and lower Gauss point t/2 instead of t/(2 sqrt 3)",
-        "mechanics/section.py",
-        "shift = self.thickness / math.sqrt(3.0) * curvature",
-        "shift = self.thickness * curvature",
+        "mechanics/bending.py",
+        "shift = thickness / math.sqrt(3.0) * curvature",
+        "shift = thickness * curvature",
     ),
     Mutation(
         "whole_sheet",
@@ -154,7 +154,7 @@ MUTATIONS = (
     Mutation(
         "bending_laws",
         "lambda3 to the first power in the bending stiffness",
-        "mechanics/section.py",
+        "mechanics/bending.py",
         "bending = arm**2 * mean2",
         "bending = arm * lever * mean2",
     ),
@@ -167,10 +167,10 @@ MUTATIONS = (
     ),
     Mutation(
         "regression",
-        "a sign in an exponent of the biaxial stress that data are fitted to",
+        "biaxial data fitted as if the second direction were held",
         "material/homogeneous.py",
-        '"biaxial": (-5.0, 2.0)',
-        '"biaxial": (-5.0, -2.0)',
+        '"biaxial": stretch,',
+        '"biaxial": np.ones_like(stretch),',
     ),
 )
 

@@ -19,6 +19,8 @@ from wrinklestudy.typing import Array
 from wrinklestudy.vocabulary import Parity
 
 ASPECT, THICKNESS = 2.0, 1.0e-3
+# Those that have closed forms here and are found in published analyses
+BENDING_LAWS = ("thinning", "fixed-thickness", "fvk")
 PARITIES: tuple[Parity, Parity] = ("antisymmetric", "symmetric")
 
 # The constants of Panaitescu et al. (2019) in Pa; those of other groups (10 to 1) with mu = 1

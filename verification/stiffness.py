@@ -11,12 +11,11 @@ from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics.laws import Law, MooneyRivlin, SaintVenantKirchhoff
 from wrinklestudy.mechanics.section import Section
 from wrinklestudy.typing import Array
-from wrinklestudy.vocabulary import Bending
 
 THICKNESS = 1.0e-2
 
 
-def stiffness_formula(law: Law, bending: Bending, stretch: float) -> tuple[float, float]:
+def stiffness_formula(law: Law, bending: str, stretch: float) -> tuple[float, float]:
     """Return the stiffness D/t^3 of a uniaxially stretched sheet along and across the pull.
 
     psi = t W(a) + (t^3/6) lambda3^2 b.W''.b: D = (t^3/3) lambda3^2 d2W/dg^2 in the direction of
@@ -39,7 +38,7 @@ def stiffness_formula(law: Law, bending: Bending, stretch: float) -> tuple[float
     return along * squared / 3.0, across * squared / 3.0
 
 
-def stiffness(law: Law, bending: Bending, stretch: float) -> tuple[float, float]:
+def stiffness(law: Law, bending: str, stretch: float) -> tuple[float, float]:
     """Return the same from the assembled tangent: its value on w = X^2/2 and w = Y^2/2.
 
     The part of the tension along X, 2 t W_g11 times the integral of w,1^2, is taken off.
@@ -101,7 +100,7 @@ def flexure(law: MooneyRivlin, stretch: float, bend: float) -> float:
     return mean / (0.5 * THICKNESS**2 * curvature**2)
 
 
-def flexure_plate(law: MooneyRivlin, bending: Bending, stretch: float, bend: float) -> float:
+def flexure_plate(law: MooneyRivlin, bending: str, stretch: float, bend: float) -> float:
     """Return the same from the plate's energy psi(a, b), least over the stretch across."""
     across = stretch**-0.5
     half = bend * across**2

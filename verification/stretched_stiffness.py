@@ -8,7 +8,6 @@ from scipy.optimize import brentq
 from wrinklestudy.mechanics.laws import Law, MooneyRivlin, SaintVenantKirchhoff
 from wrinklestudy.mechanics.section import Section
 from wrinklestudy.typing import Array
-from wrinklestudy.vocabulary import Bending
 
 _THICKNESS = 1.0e-3  # drops out of the ratio
 
@@ -22,7 +21,7 @@ def uniaxial(law: Law, stretch: float) -> Array:
     return np.array([[stretch**2], [brentq(across, 0.05, 1.5, xtol=1e-15, rtol=1e-14)], [0.0]])
 
 
-def across_pull(law: Law, bending: Bending, stretch: float) -> float:
+def across_pull(law: Law, bending: str, stretch: float) -> float:
     """Return d2 psi / db22^2 at a stretch in parts of that of the undeformed sheet.
 
     Curvatures are second derivatives with respect to the undeformed coordinates, so that the
@@ -37,7 +36,7 @@ def across_pull(law: Law, bending: Bending, stretch: float) -> float:
     return stiffness(stretch) / stiffness(1.0)
 
 
-def closed_form(law: Law, bending: Bending) -> tuple[str, Callable[[float], float]]:
+def closed_form(law: Law, bending: str) -> tuple[str, Callable[[float], float]]:
     """Return the same ratio by hand, as a text and as a function of the stretch l.
 
     Mooney-Rivlin: d2W/dg22^2 = 2 (c10 l + c01 l^3) with c10 + c01 = 1/2, lambda3^2 = 1/l. Saint

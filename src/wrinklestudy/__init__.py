@@ -10,7 +10,13 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from wrinklestudy.fem.grid import MeshSettings
     from wrinklestudy.material.fit import fit
-    from wrinklestudy.mechanics.laws import mooney_rivlin, neo_hookean, saint_venant_kirchhoff
+    from wrinklestudy.mechanics.laws import (
+        mooney_rivlin,
+        neo_hookean,
+        ogden,
+        saint_venant_kirchhoff,
+        yeoh,
+    )
     from wrinklestudy.sheet import Sheet, State
 
 _HOMES = {
@@ -20,7 +26,9 @@ _HOMES = {
     "fit": "wrinklestudy.material.fit",
     "mooney_rivlin": "wrinklestudy.mechanics.laws",
     "neo_hookean": "wrinklestudy.mechanics.laws",
+    "ogden": "wrinklestudy.mechanics.laws",
     "saint_venant_kirchhoff": "wrinklestudy.mechanics.laws",
+    "yeoh": "wrinklestudy.mechanics.laws",
 }
 
 __all__ = [
@@ -30,7 +38,9 @@ __all__ = [
     "fit",
     "mooney_rivlin",
     "neo_hookean",
+    "ogden",
     "saint_venant_kirchhoff",
+    "yeoh",
 ]
 
 

@@ -8,6 +8,7 @@ from typing import Any
 from wrinklestudy.equilibrium import planar, stability, wrinkled
 from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.space import Space
+from wrinklestudy.mechanics.bending import bending_law_of
 from wrinklestudy.mechanics.laws import Material
 from wrinklestudy.metrics.interpolant import DeformedSheet
 from wrinklestudy.metrics.measure import Measures, measure_sheet
@@ -15,7 +16,7 @@ from wrinklestudy.results.cases import resolved_thickness
 from wrinklestudy.results.fields import state_row
 from wrinklestudy.results.rows import StateRow, columns
 from wrinklestudy.results.states import unmeasured, with_measures
-from wrinklestudy.vocabulary import BENDING_LAWS, PARITIES, Bending, Parity
+from wrinklestudy.vocabulary import PARITIES, Parity
 
 
 @dataclass(frozen=True)
@@ -70,9 +71,9 @@ class Sheet:
     thickness : float
         t/W.
     material : Material
-        From `mooney_rivlin`, `neo_hookean` or `saint_venant_kirchhoff`.
-    bending : {'thinning', 'fixed-thickness', 'fvk'}
-        The bending law.
+        From `mooney_rivlin`, `ogden` or another of the laws.
+    bending : str
+        The bending law, a name in `mechanics.bending.BENDING_LAWS`.
     parity : {'antisymmetric', 'symmetric'}
         Of the wrinkles across the sheet.
     mesh : MeshSettings
@@ -87,7 +88,7 @@ class Sheet:
     aspect: float
     thickness: float
     material: Material
-    bending: Bending = "thinning"
+    bending: str = "thinning"
     parity: Parity = "antisymmetric"
     mesh: MeshSettings = field(default_factory=MeshSettings)
 
@@ -96,9 +97,7 @@ class Sheet:
             raise ValueError(f"aspect = {self.aspect:g}: must be >= 0.5 and <= 20 (L/W)")
         if not 0 < self.thickness <= 0.05:
             raise ValueError(f"thickness = {self.thickness:g}: must be > 0 and <= 0.05 (t/W)")
-        if self.bending not in BENDING_LAWS:
-            allowed = ", ".join(BENDING_LAWS)
-            raise ValueError(f"bending = {self.bending!r}: must be one of {allowed}")
+        bending_law_of(self.bending)
         if self.parity not in PARITIES:
             raise ValueError(f"parity = {self.parity!r}: must be one of {', '.join(PARITIES)}")
 

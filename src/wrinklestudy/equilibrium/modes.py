@@ -25,7 +25,6 @@ from wrinklestudy.fem.boundary import QUARTER, Symmetry
 from wrinklestudy.fem.factorisation import NotPositiveDefiniteError, symmetric
 from wrinklestudy.mechanics import membrane, plate
 from wrinklestudy.typing import Array, Mask
-from wrinklestudy.vocabulary import Bending
 
 # A mode is one of the corner when more than half of its bending energy sits beyond these parts of
 # half the length and half the width.
@@ -49,8 +48,8 @@ class Modes:
     ----------
     symmetry : Symmetry
         Of the sheet with these deflections.
-    bending : {'thinning', 'fixed-thickness', 'fvk'}
-        The bending law.
+    bending : str
+        The bending law, a name in `mechanics.bending.BENDING_LAWS`.
     squared : (m,) array
         tau_i^2 in units of W^2, falling; negative where no thickness makes the mode unstable.
     shapes : (m, size) array
@@ -64,7 +63,7 @@ class Modes:
     """
 
     symmetry: Symmetry
-    bending: Bending
+    bending: str
     squared: Array
     shapes: Array
     corner: Array
@@ -102,7 +101,7 @@ class DeflectionForms(NamedTuple):
         return sparse.csr_array((data, *pattern), shape=self.stress.shape)
 
 
-def deflection_forms(flat: Flat, bending: Bending, symmetry: Symmetry) -> DeflectionForms:
+def deflection_forms(flat: Flat, bending: str, symmetry: Symmetry) -> DeflectionForms:
     """Return S and B of a flat state on the deflections that a symmetry leaves free.
 
     Raises
@@ -131,7 +130,7 @@ class Spectrum(NamedTuple):
 
 def spectrum(
     flat: Flat,
-    bending: Bending = "thinning",
+    bending: str = "thinning",
     symmetry: Symmetry = QUARTER,
     count: int = 8,
 ) -> Spectrum:
@@ -141,8 +140,8 @@ def spectrum(
     ----------
     flat : Flat
         The flat equilibrium.
-    bending : {'thinning', 'fixed-thickness', 'fvk'}
-        The bending law.
+    bending : str
+        The bending law, a name in `mechanics.bending.BENDING_LAWS`.
     symmetry : Symmetry
         Of the sheet with these deflections.
     count : int
@@ -162,7 +161,7 @@ def spectrum(
 
 
 def critical_thickness(
-    flat: Flat, bending: Bending = "thinning", symmetry: Symmetry = QUARTER
+    flat: Flat, bending: str = "thinning", symmetry: Symmetry = QUARTER
 ) -> float:
     """Return tau_1, the largest critical thickness of a wrinkle, in units of W.
 
@@ -179,7 +178,7 @@ def critical_thickness(
 
 def critical_modes(
     flat: Flat,
-    bending: Bending = "thinning",
+    bending: str = "thinning",
     symmetry: Symmetry = QUARTER,
     count: int = 8,
 ) -> Modes:

@@ -9,7 +9,7 @@ from wrinklestudy.fem.boundary import Symmetry
 from wrinklestudy.fem.grid import Grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics import laws
-from wrinklestudy.vocabulary import Bending, Parity
+from wrinklestudy.vocabulary import Parity
 
 
 @dataclass(frozen=True)
@@ -18,15 +18,15 @@ class PlanarSettings:
 
     Parameters
     ----------
-    bending : {'thinning', 'fixed-thickness', 'fvk'}
-        The bending law.
+    bending : str
+        The bending law, a name in `mechanics.bending.BENDING_LAWS`.
     parity : {'antisymmetric', 'symmetric'}
         Of the deflection across y = 0.
     modes : int
         Number of critical thicknesses and modes.
     """
 
-    bending: Bending = "thinning"
+    bending: str = "thinning"
     parity: Parity = "antisymmetric"
     modes: int = 8
 

@@ -11,7 +11,9 @@ from wrinklestudy.equilibrium.modes import Modes
 from wrinklestudy.fem.assembly import shared_assembler
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics import plate
-from wrinklestudy.mechanics.section import Section, SectionDerivatives
+from wrinklestudy.mechanics.bending import SectionDerivatives
+from wrinklestudy.mechanics.section import Section
+from wrinklestudy.mechanics.surface import SurfaceGeometry
 from wrinklestudy.typing import Array, Mask
 
 
@@ -79,7 +81,7 @@ class PlateProblem:
 
     def assemble(
         self,
-        surface: plate.SurfaceGeometry,
+        surface: SurfaceGeometry,
         section: SectionDerivatives,
         of_tangent: SectionDerivatives,
     ) -> EnergyExpansion:
@@ -120,7 +122,7 @@ class _Response(NamedTuple):
     """State of the Gauss points where a tangent was taken."""
 
     gradients: Array  # x,1 x,2 x,11 x,22 x,12
-    surface: plate.SurfaceGeometry
+    surface: SurfaceGeometry
     section: SectionDerivatives
 
 

@@ -1,7 +1,8 @@
-"""Fit of a law to measured stress-strain data, and the material file that comes out of it.
+"""Fit of a law to measured stress-strain data.
 
-The nominal stress of every law is linear in its constants, so that a fit is one bounded linear
-least-squares problem with an exact minimum: no start values, no iteration that may stop early.
+Where the stress is linear in the constants a fit is one bounded linear least-squares problem with
+an exact minimum: no start values, no iteration that may stop early. For other laws it is a search
+from several starts that the law names.
 """
 
 from collections.abc import Sequence
@@ -10,16 +11,20 @@ from pathlib import Path
 import numpy as np
 
 from wrinklestudy.material.data import Measurement, read
-from wrinklestudy.material.homogeneous import MODES, mooney_rivlin_basis, nominal_stress
-from wrinklestudy.material.result import CONSTANTS, Fit, material_of
-from wrinklestudy.mechanics.laws import LAWS
+from wrinklestudy.material.estimates import (
+    SINGULAR,
+    Estimate,
+    Search,
+    condition_number,
+    linear_estimate,
+)
+from wrinklestudy.material.homogeneous import MODES, dimensionless_stress, nominal_stress
+from wrinklestudy.material.result import Fit
+from wrinklestudy.mechanics.laws import Constant, Law, MooneyRivlin, NeoHookean, law_of
 from wrinklestudy.typing import Array
 
-# Stretches that count as initial when svk is fitted without a window.
+# Stretches that count as initial when a law of small strains is fitted without a window.
 INITIAL_STRETCH = (0.8, 1.25)
-
-# Columns (of unit length) with a larger condition number are the same column up to rounding.
-_SINGULAR = 1e8
 
 
 def fit(
@@ -32,25 +37,28 @@ def fit(
     """Fit a law to measured nominal stresses by bounded least squares.
 
     Minimises the sum of (T_law - T)^2, each divided by the square of its standard error where the
-    data have one, over constants >= 0, which keeps the law stable (polyconvex energy).
+    data have one, over the constants that the law allows.
 
-    ``svk`` is fitted to the initial slope: T = Y B0 / 6 + c (B1 - B0) with the columns B of
-    `mooney_rivlin_basis` and a free c that carries the curvature of the data, so that Y is the
-    intercept of the Mooney plot: exactly 6 (C10 + C01) for data that follow Mooney-Rivlin, within
-    1 % for other softening curves over the default window (a stiffening one needs a narrower
-    window). Its `rms_pa` is that of the law itself, not of the auxiliary curve.
+    A law of small strains (``svk``) is fitted to the initial slope: T = Y B0 / 6 + c (B1 - B0) with
+    the stresses B of Mooney-Rivlin per unit of its two constants and a free c that carries the
+    curvature of the data, so that Y is the intercept of the Mooney plot: exactly 6 (C10 + C01) for
+    data that follow Mooney-Rivlin, within 1 % for other softening curves over the default window
+    (a stiffening one needs a narrower window). Its `rms_pa` is that of the law itself, not of the
+    auxiliary curve.
 
-    The covariance is s^2 (J^T J)^-1 with s^2 = residual sum of squares / (points - free constants);
-    with standard errors J is weighted by them and s^2 is at least 1.
+    The covariance is s^2 (J^T J)^-1 with the derivatives J of the stress with respect to the
+    constants and s^2 = residual sum of squares / (points - free constants); with standard errors J
+    is weighted by them and s^2 is at least 1.
 
     Parameters
     ----------
     data : str, Path or Measurement
         CSV file (see `wrinklestudy.material.data`) or data already read.
     law : str
-        One of `LAWS`.
+        A name in `LAWS`.
     stretch : tuple of float, optional
-        Smallest and largest stretch to use; all points by default, `INITIAL_STRETCH` for ``svk``.
+        Smallest and largest stretch to use; all points by default, `INITIAL_STRETCH` for a law of
+        small strains.
     modes : sequence of str, optional
         Deformation modes to use, all in the file by default.
 
@@ -62,29 +70,29 @@ def fit(
     ------
     ValueError
         If the file, law, window or mode is bad, too few points are left, the points cannot tell
-        the constants apart, or no constant comes out positive.
+        the constants apart, or no constants that are allowed give a rising stress.
     """
-    if law not in CONSTANTS:
-        raise ValueError(f"law {law!r} is unknown: allowed are {', '.join(LAWS)}")
+    kind = law_of(law)
     measurement = data if isinstance(data, Measurement) else read(data)
-    window = INITIAL_STRETCH if law == "svk" and stretch is None else stretch
+    window = INITIAL_STRETCH if kind.small_strain and stretch is None else stretch
     used = measurement.select(window, modes)
-    design = _design(law, used)
-    condition = _check(design, law, used)
-    weight = 1.0 if used.standard_error is None else 1.0 / used.standard_error
-    estimate, covariance = _least_squares(
-        (design.T * weight).T, used.stress * weight, law != "svk", used.standard_error is not None
-    )
-    names = CONSTANTS[law]
-    constants = dict(zip(names, estimate.tolist(), strict=False))
-    if not sum(constants.values()) > 0.0:
-        raise ValueError(f"{used.source}: the stress does not rise with stretch; no {law} law fits")
-    misfit = nominal_stress(material_of(law, constants), used.stretch, used.mode) - used.stress
+    fitted = [constant for constant in kind.constants if constant.fitted]
+    if kind.linear or kind.small_strain:
+        estimate, condition = _linear(kind, fitted, used)
+    else:
+        estimate, condition = _nonlinear(kind, fitted, used)
+    constants = {c.name: float(v) for c, v in zip(fitted, estimate.values, strict=False)}
+    defaults = {c.name: c.default for c in kind.constants if c.default is not None}
+    if not kind.shear_modulus(defaults | constants) > 0.0:
+        raise _no_rise(kind, used)
+    misfit = nominal_stress(kind.material(**constants), used.stretch, used.mode) - used.stress
+    if not np.isfinite(misfit).all():
+        raise ValueError(f"{used.source}: {law} leaves no width at a stretch within the window")
     return Fit(
         law=law,
         constants=constants,
-        covariance=covariance[: len(names), : len(names)],
-        at_bound=tuple(name for name in names if constants[name] == 0.0),
+        covariance=estimate.covariance[: len(fitted), : len(fitted)],
+        at_bound=tuple(c.name for c, free in zip(fitted, estimate.free, strict=False) if not free),
         rms_pa=float(np.sqrt(np.mean(misfit**2))),
         count=used.stretch.size,
         stretch_range=(float(used.stretch.min()), float(used.stretch.max())),
@@ -94,65 +102,100 @@ def fit(
     )
 
 
-def _design(law: str, used: Measurement) -> Array:
-    """Return the columns of the fit, shape ``(n, p)``; the constants of the law come first."""
-    basis = mooney_rivlin_basis(used.stretch, used.mode)
-    if law == "mooney-rivlin":
-        return basis
-    if law == "neo-hookean":
-        return basis[:, :1]
+def _linear(
+    kind: type[Law], fitted: Sequence[Constant], used: Measurement
+) -> tuple[Estimate, float]:
+    """Return the estimate of a law whose stress is linear in its constants; they come first."""
+    design = _initial_slope(used) if kind.small_strain else _basis(kind, used)
+    _check_points(kind, used, design.shape[1])
+    condition = _told_apart(design, kind, used)
+    low, high = np.full(design.shape[1], -np.inf), np.full(design.shape[1], np.inf)
+    if not kind.small_strain:  # otherwise a negative slope is an error, not a fit on the bound
+        low, high = (np.array([getattr(c, end) for c in fitted]) for end in ("low", "high"))
+    return linear_estimate(design, used.stress, used.standard_error, low, high), condition
+
+
+def _nonlinear(
+    kind: type[Law], fitted: Sequence[Constant], used: Measurement
+) -> tuple[Estimate, float]:
+    """Return the estimate of any law, found from the starts that it names."""
+    _check_points(kind, used, len(fitted))
+    column = _basis(NeoHookean, used)[:, 0]
+    modulus = 2.0 * float(column @ used.stress) / float(column @ column)
+    if not modulus > 0.0:
+        raise _no_rise(kind, used)
+    names = [constant.name for constant in fitted]
+    unit = np.array([modulus if constant.unit == "Pa" else 1.0 for constant in fitted])
+
+    def stress(values: Array) -> Array:
+        law = kind(**dict(zip(names, values.tolist(), strict=True)))
+        return dimensionless_stress(law, used.stretch, used.mode)
+
+    search = Search(
+        stress,
+        used.stress / modulus,
+        None if used.standard_error is None else used.standard_error / modulus,
+        [np.array([start[name] for name in names]) for start in kind.starts],
+        np.array([constant.low for constant in fitted]) / unit,
+        np.array([constant.high for constant in fitted]) / unit,
+        np.array([constant.unit == "" for constant in fitted]),
+    )
+    try:
+        scaled, slopes = search.estimate()
+    except ValueError as error:
+        raise ValueError(f"{used.source}: fit of {kind.name}: {error}") from None
+    effects = slopes[:, scaled.free] * scaled.values[scaled.free]
+    length = np.linalg.norm(effects, axis=0)
+    effects[:, length * SINGULAR < length.max()] = 0.0  # without effect on the stress: not told
+    condition = _told_apart(effects, kind, used)
+    covariance = scaled.covariance * np.outer(unit, unit)
+    estimate = Estimate(scaled.values * unit, covariance, scaled.free)
+    order = kind.canonical_order(dict(zip(names, estimate.values.tolist(), strict=True)))
+    return estimate.permuted([names.index(name) for name in order]), condition
+
+
+def _basis(kind: type[Law], used: Measurement) -> Array:
+    """Return the stress per unit of each constant of a linear law, shape ``(n, p)``."""
+    columns = [dimensionless_stress(law, used.stretch, used.mode) for law in kind.unit_laws()]
+    return np.stack(columns, axis=1)
+
+
+def _initial_slope(used: Measurement) -> Array:
+    """Return the columns of Young's modulus and of the curvature of the data, ``(n, 1 or 2)``."""
+    basis = _basis(MooneyRivlin, used)
     slope, curvature = basis[:, 0] / 6.0, basis[:, 1] - basis[:, 0]
     # Pure shear alone has no curvature column: the two columns of its basis coincide.
-    return np.stack([slope, curvature] if curvature.any() else [slope], axis=1)
+    told = np.linalg.norm(curvature) * SINGULAR > np.linalg.norm(basis[:, 0])
+    return np.stack([slope, curvature] if told else [slope], axis=1)
 
 
-def _check(design: Array, law: str, used: Measurement) -> float:
-    """Return the condition number of the scaled design, after checking that it has an answer."""
-    count, columns = design.shape
+def _check_points(kind: type[Law], used: Measurement, columns: int) -> None:
+    """Refuse too few points, or none that is deformed."""
+    count = used.stretch.size
     if count <= columns:
         low, high = INITIAL_STRETCH
-        hint = f" (default window of svk: {low:g} to {high:g})" if law == "svk" else ""
+        hint = f" (default window of {kind.name}: {low:g} to {high:g})" if kind.small_strain else ""
         raise ValueError(
             f"{used.source}: {count} points in the chosen stretch window and modes; "
-            f"a {law} fit needs at least {columns + 1}{hint}"
+            f"a {kind.name} fit needs at least {columns + 1}{hint}"
         )
-    length = np.linalg.norm(design, axis=0)
-    if not length[0] > 0.0:
+    if (used.stretch == 1.0).all():
         raise ValueError(f"{used.source}: every point chosen is undeformed (stretch 1)")
-    singular = np.linalg.svd(design / length, compute_uv=False)
-    if not singular[0] < _SINGULAR * singular[-1]:
+
+
+def _told_apart(columns: Array, kind: type[Law], used: Measurement) -> float:
+    """Return the condition number of the columns, after checking that they are independent."""
+    condition = condition_number(columns)
+    if not condition < SINGULAR:
         modes = ", ".join(mode for mode in MODES if mode in used.mode)
         raise ValueError(
-            f"{used.source}: the points chosen ({modes}) cannot tell the constants of {law} apart;"
-            " take more modes, a wider stretch window, or law neo-hookean"
+            f"{used.source}: the points chosen ({modes}) cannot tell the constants of {kind.name}"
+            " apart; take more modes, a wider stretch window, or a law of fewer constants"
         )
-    return float(singular[0] / singular[-1])
+    return condition
 
 
-def _least_squares(
-    design: Array, stress: Array, bounded: bool, known_errors: bool
-) -> tuple[Array, Array]:
-    """Return the estimate ``(p,)`` and its covariance ``(p, p)``, zero for entries on the bound."""
-    from scipy.optimize import nnls  # here because it costs more to import than all the rest
-
-    columns = design.shape[1]
-    scale = float(np.abs(stress).max()) or 1.0
-    free = np.ones(columns, dtype=np.bool_)
-    if bounded:
-        free = nnls(design, stress / scale)[0] > 0.0
-    estimate, covariance = np.zeros(columns), np.zeros((columns, columns))
-    if not free.any():
-        return estimate, covariance
-    q, r = np.linalg.qr(design[:, free])
-    estimate[free] = np.linalg.solve(r, q.T @ stress)
-    residual = design @ estimate - stress
-    # Data that the law interpolates exactly are still known to rounding only.
-    variance = max(
-        float(residual @ residual) / (stress.size - int(free.sum())),
-        (np.finfo(np.float64).eps * scale) ** 2,
+def _no_rise(kind: type[Law], used: Measurement) -> ValueError:
+    return ValueError(
+        f"{used.source}: the stress does not rise with stretch; no {kind.name} law fits"
     )
-    if known_errors:
-        variance = max(variance, 1.0)
-    inverse = np.linalg.inv(r)
-    covariance[np.ix_(free, free)] = variance * (inverse @ inverse.T)
-    return estimate, covariance

@@ -1,47 +1,12 @@
 """A fitted law with its uncertainty, and the material file that holds it."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from wrinklestudy.mechanics.laws import (
-    Material,
-    mooney_rivlin,
-    neo_hookean,
-    saint_venant_kirchhoff,
-)
+from wrinklestudy.mechanics.laws import Material, law_of
 from wrinklestudy.typing import Array
-
-# Constants in Pa that each law has; svk is incompressible, nu = 1/2.
-CONSTANTS = {
-    "mooney-rivlin": ("c10", "c01"),
-    "neo-hookean": ("c10",),
-    "svk": ("young",),
-}
-
-
-def material_of(law: str, constants: Mapping[str, float]) -> Material:
-    """Return the material of a law from its constants in Pa.
-
-    Parameters
-    ----------
-    law : str
-        One of `LAWS`.
-    constants : mapping
-        The constants that `CONSTANTS` names for the law.
-
-    Raises
-    ------
-    ValueError
-        If a constant is outside its bounds.
-    """
-    if law == "svk":
-        return saint_venant_kirchhoff(constants["young"], 0.5)
-    if law == "neo-hookean":
-        return neo_hookean(constants["c10"])
-    return mooney_rivlin(constants["c10"], constants["c01"])
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,14 +16,14 @@ class Fit:
     Parameters
     ----------
     law : str
-        One of `LAWS`.
+        A name in `LAWS`.
     constants : dict
-        Constants in Pa by name: c10 and c01, c10, or young.
+        Fitted constants by name, in the units of `units`.
     covariance : ndarray, shape ``(p, p)``
-        Covariance of the constants in Pa^2, in the order of `constants`. Rows and columns of a
-        constant that sits on its bound are zero: the others are conditional on it.
+        Covariance of the constants, in their order and units. Rows and columns of a constant that
+        sits on its bound are zero: the others are conditional on it.
     at_bound : tuple of str
-        Constants that the bound >= 0 holds at zero; their true uncertainty is one-sided.
+        Constants that their bounds hold; their true uncertainty is one-sided.
     rms_pa : float
         Root mean square of law minus measurement over the points used.
     count : int
@@ -68,8 +33,9 @@ class Fit:
     modes : tuple of str
         Deformation modes of the points used.
     condition_number : float
-        Of the design matrix with columns scaled to unit length: 1 where the data tell the
-        constants apart perfectly, large where only a combination of them is known.
+        Of the derivatives of the stress with respect to the constants, columns scaled to unit
+        length: 1 where the data tell the constants apart perfectly, large where only a combination
+        of them is known.
     source : str
         Name of the data.
     """
@@ -91,8 +57,14 @@ class Fit:
         return tuple(self.constants)
 
     @property
+    def units(self) -> dict[str, str]:
+        """Units of the constants: 'Pa', or '' for pure numbers."""
+        units = {constant.name: constant.unit for constant in law_of(self.law).constants}
+        return {name: units[name] for name in self.constants}
+
+    @property
     def standard_errors(self) -> dict[str, float]:
-        """Standard errors of the constants in Pa."""
+        """Standard errors of the constants in their units."""
         return dict(zip(self.constants, np.sqrt(np.diag(self.covariance)).tolist(), strict=True))
 
     @property
@@ -106,20 +78,31 @@ class Fit:
 
     def material(self) -> Material:
         """Return the fitted material."""
-        return material_of(self.law, self.constants)
+        return law_of(self.law).material(**self.constants)
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the fit as plain numbers, strings and lists for JSON."""
-        material = self.material()
+        """Return the fit as plain numbers, strings and lists for JSON.
+
+        ``constants_pa`` and ``standard_errors_pa`` have the constants in Pa alone, and
+        ``covariance_pa2`` is there if all are.
+        """
+        material, units, errors = self.material(), self.units, self.standard_errors
+        pascals = [name for name, unit in units.items() if unit == "Pa"]
+        covariance = self.covariance.tolist()
+        in_pascals = {"covariance_pa2": covariance} if len(pascals) == len(units) else {}
         return {
             "law": self.law,
             "parameters": list(self.parameters),
-            "constants_pa": dict(self.constants),
+            "constants": dict(self.constants),
+            "units": units,
+            "constants_pa": {name: self.constants[name] for name in pascals},
             "shear_modulus_pa": material.shear_modulus,
             "young_modulus_pa": material.young_modulus,
             "poisson": material.law.poisson,
-            "standard_errors_pa": self.standard_errors,
-            "covariance_pa2": self.covariance.tolist(),
+            "standard_errors": errors,
+            "standard_errors_pa": {name: errors[name] for name in pascals},
+            "covariance": covariance,
+            **in_pascals,
             "correlation": self.correlation.tolist(),
             "at_bound": list(self.at_bound),
             "rms_pa": self.rms_pa,

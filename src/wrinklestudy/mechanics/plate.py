@@ -9,67 +9,22 @@ from typing import NamedTuple
 
 import numpy as np
 
+from wrinklestudy.mechanics.bending import SectionDerivatives
 from wrinklestudy.mechanics.laws import Law
-from wrinklestudy.mechanics.section import Section, SectionDerivatives
+from wrinklestudy.mechanics.section import Section
+from wrinklestudy.mechanics.surface import SurfaceGeometry, dot
 from wrinklestudy.typing import Array
-from wrinklestudy.vocabulary import Bending
-
-_VOIGT = ((0, 0), (1, 1), (0, 1))
-
-
-class SurfaceGeometry(NamedTuple):
-    """Geometry of the mid-surface at points; b = n.(x,ab), Christoffel symbols x,ab.a^c."""
-
-    tangents: Array  # x,1 and x,2: (2, 3, ...)
-    normal: Array  # n: (3, ...)
-    dual: Array  # a^1 and a^2: (2, 3, ...)
-    metric: Array  # a: (3, ...)
-    inverse: Array  # a^11, a^22, a^12: (3, ...)
-    curvature: Array  # b: (3, ...)
-    christoffel: Array  # (2, 3, ...): upper index, then 11, 22, 12
-
-
-def _dot(a: Array, b: Array) -> Array:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def surface(derivatives: Array, bending: Bending) -> SurfaceGeometry:
-    """Return the geometry from x,1 x,2 x,11 x,22 x,12 of shape (5, 3, ...).
-
-    For the law 'fvk' the normal is the fixed direction z, without any change of direction.
-    """
-    first, second = derivatives[:2], derivatives[2:]
-    metric = np.stack([_dot(first[i], first[j]) for i, j in _VOIGT])
-    if bending == "fvk":
-        points = metric.shape[1:]
-        normal = np.zeros((3, *points), dtype=derivatives.dtype)
-        normal[2] = 1.0
-        zeros = np.zeros((2, 3, *points), dtype=derivatives.dtype)
-        return SurfaceGeometry(
-            first, normal, zeros, metric, np.zeros_like(metric), second[:, 2], zeros.copy()
-        )
-    p, q = first
-    cross = np.stack(
-        [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
-    )
-    det = metric[0] * metric[1] - metric[2] ** 2
-    normal = cross / np.sqrt(det)
-    inverse = np.stack([metric[1], metric[0], -metric[2]]) / det
-    dual = np.stack([inverse[0] * p + inverse[2] * q, inverse[2] * p + inverse[1] * q])
-    curvature = np.stack([_dot(second[k], normal) for k in range(3)])
-    christoffel = np.stack([np.stack([_dot(second[k], d) for k in range(3)]) for d in dual])
-    return SurfaceGeometry(first, normal, dual, metric, inverse, curvature, christoffel)
 
 
 def respond(section: Section, derivatives: Array) -> tuple[SurfaceGeometry, SectionDerivatives]:
     """Return geometry, force, moment and their slopes from x,1 x,2 x,11 x,22 x,12 at points."""
-    shape = surface(derivatives, section.bending)
+    shape = section.surface(derivatives)
     return shape, section.derivatives(shape.metric, shape.curvature)
 
 
 def energy(section: Section, derivatives: Array) -> Array:
     """Return the energy density at points from x,1 x,2 x,11 x,22 x,12 of shape (5, 3, ...)."""
-    shape = surface(derivatives, section.bending)
+    shape = section.surface(derivatives)
     return section.energy(shape.metric, shape.curvature)
 
 
@@ -102,16 +57,16 @@ def predict(
 
     Parameters
     ----------
-    shape : Surface
+    shape : SurfaceGeometry
         Geometry before the step.
     section : SectionDerivatives
         Section before the step.
     step : (5, 3, ...) array
         Change of x,1 x,2 x,11 x,22 x,12.
     """
-    (p, q), along = shape.tangents, [_dot(shape.normal, change) for change in step]
+    (p, q), along = shape.tangents, [dot(shape.normal, change) for change in step]
     metric = np.stack(
-        [2.0 * _dot(p, step[0]), 2.0 * _dot(q, step[1]), _dot(q, step[0]) + _dot(p, step[1])]
+        [2.0 * dot(p, step[0]), 2.0 * dot(q, step[1]), dot(q, step[0]) + dot(p, step[1])]
     )
     turned = shape.christoffel[0] * along[0] + shape.christoffel[1] * along[1]
     curvature = np.stack(along[2:]) - turned
@@ -143,12 +98,12 @@ def _parts(shape: SurfaceGeometry, section: SectionDerivatives) -> _Parts:
                 coupled[k, direction] += section.coupling[m, k] * vector
     pull = np.einsum("k...,ck...->c...", section.moment, gamma)
     inner = np.einsum("km...,cm...->ck...", section.bending, gamma)
-    work = _dot(section.moment, shape.curvature)
+    work = dot(section.moment, shape.curvature)
     turn = np.empty((2, 2, *normal.shape))
     for d in range(2):
         for c in range(2):
             inverse = shape.inverse[c if c == d else 2]
-            along = 0.5 * (_dot(gamma[c], inner[d]) - work * inverse)
+            along = 0.5 * (dot(gamma[c], inner[d]) - work * inverse)
             turn[d, c] = pull[c] * shape.dual[d] + along * normal
             for k in range(3):
                 turn[d, c] -= gamma[d, k] * coupled[k, c]
@@ -213,7 +168,7 @@ def _entry(
             out += section.force[2] if a != b else 2.0 * section.force[a]
 
 
-def deflection(law: Law, bending: Bending, derivatives: Array) -> tuple[Array, Array]:
+def deflection(law: Law, bending: str, derivatives: Array) -> tuple[Array, Array]:
     """Return the Hessians S and B of the energy of a small deflection of a flat, stretched sheet.
 
     The energy of a deflection w on the flat state is t/2 w.S w + t^3/2 w.B w with S (stress) and B
@@ -224,8 +179,8 @@ def deflection(law: Law, bending: Bending, derivatives: Array) -> tuple[Array, A
     ----------
     law : Law
         Dimensionless material law.
-    bending : {'thinning', 'fixed-thickness', 'fvk'}
-        The bending law.
+    bending : str
+        The bending law, a name in `BENDING_LAWS`.
     derivatives : (5, 3, ...) array
         x,1 x,2 x,11 x,22 x,12 of the flat state.
 
@@ -235,7 +190,7 @@ def deflection(law: Law, bending: Bending, derivatives: Array) -> tuple[Array, A
         Rows (a <= b) as in `Assembler.entries`.
     """
     section = Section(law, 1.0, bending)
-    shape = surface(derivatives, bending)
+    shape = section.surface(derivatives)
     flat = section.derivatives(shape.metric, np.zeros_like(shape.metric))
     entries = [(a, b) for a in range(5) for b in range(a, 5)]
     stress = np.zeros((15, *shape.metric.shape[1:]))

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import numpy as np
 
-from wrinklestudy.material.result import CONSTANTS, Fit, material_of
-from wrinklestudy.mechanics.laws import LAWS, Material
+from wrinklestudy.material.result import Fit
+from wrinklestudy.mechanics.laws import Material, law_of
 from wrinklestudy.results.files import read_json
 
 
@@ -23,15 +23,15 @@ def load_fit(path: str | Path) -> Fit:
         raise ValueError(f"{path}: cannot be read ({error.strerror})") from error
     try:
         law = content["law"]
-        if law not in CONSTANTS:
-            raise ValueError(f"law {law!r} is unknown: allowed are {', '.join(LAWS)}")
-        constants = {name: float(content["constants_pa"][name]) for name in CONSTANTS[law]}
-        material_of(law, constants)
+        kind = law_of(law)
+        names = [constant.name for constant in kind.constants if constant.fitted]
+        constants = {name: float(content["constants"][name]) for name in names}
+        kind.material(**constants)
         low, high = content["stretch_range"]
         return Fit(
             law=law,
             constants=constants,
-            covariance=np.array(content["covariance_pa2"], dtype=np.float64),
+            covariance=np.array(content["covariance"], dtype=np.float64),
             at_bound=tuple(content["at_bound"]),
             rms_pa=float(content["rms_pa"]),
             count=int(content["count"]),

@@ -23,7 +23,7 @@ def run(
     csv : str or Path
         Measured data.
     law : str
-        One of `LAWS`.
+        A name in `LAWS`.
     name : str
         Name of the material in the study.
     stretch, modes : optional

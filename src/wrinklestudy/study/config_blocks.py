@@ -16,10 +16,12 @@ from wrinklestudy.study.config_values import (
     Window,
     count,
     number,
+    registered,
     requirement,
 )
 
-Bending = Literal["thinning", "fixed-thickness", "fvk"]
+Law = Annotated[str, registered("laws", "LAWS")]
+Bending = Annotated[str, registered("bending", "BENDING_LAWS")]
 Parity = Literal["antisymmetric", "symmetric"]
 
 
@@ -33,7 +35,7 @@ class MaterialBlock(Block):
     """Measured stress-strain data and the law that is fitted to it."""
 
     data: Text = Field(description="CSV file with stress against strain")
-    law: Literal["mooney-rivlin", "neo-hookean", "svk"] = Field(description="law to fit")
+    law: Law = Field(description="law to fit")
     stretch: Window | None = Field(
         default=None, description="lowest and highest stretch to fit; all of the data if left out"
     )

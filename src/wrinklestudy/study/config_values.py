@@ -3,6 +3,7 @@
 import math
 import re
 from collections.abc import Callable
+from importlib import import_module
 from typing import Annotated, Any, TypeVar
 
 from pydantic import BeforeValidator
@@ -45,6 +46,20 @@ def count(low: int, high: int) -> BeforeValidator:
         f"must be a whole number >= {low} and <= {high}",
         lambda v: isinstance(v, int) and not isinstance(v, bool) and low <= v <= high,
     )
+
+
+def registered(module: str, registry: str) -> BeforeValidator:
+    """Return a validator for a name in a registry of `wrinklestudy.mechanics`."""
+
+    def check(value: Any) -> Any:
+        # Here because it imports numpy, which reading this module does not need.
+        names = getattr(import_module(f"wrinklestudy.mechanics.{module}"), registry)
+        if not isinstance(value, str) or value not in names:
+            text = f"must be one of {', '.join(names)}"
+            raise PydanticCustomError("requirement", "{text}", {"text": text})
+        return value
+
+    return BeforeValidator(check)
 
 
 def _is_number(value: Any) -> bool:

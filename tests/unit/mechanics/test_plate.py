@@ -2,19 +2,27 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from wrinklestudy.mechanics import membrane, plate
-from wrinklestudy.mechanics.laws import mooney_rivlin, neo_hookean, saint_venant_kirchhoff
+from wrinklestudy.mechanics.bending import BENDING_LAWS
+from wrinklestudy.mechanics.laws import (
+    mooney_rivlin,
+    neo_hookean,
+    ogden,
+    saint_venant_kirchhoff,
+    yeoh,
+)
 from wrinklestudy.mechanics.section import Section
-from wrinklestudy.vocabulary import BENDING_LAWS
 
 LAWS = {
     "mooney-rivlin": mooney_rivlin(6.21e4, 1.58e5).law,
     "neo-hookean": neo_hookean(1.0).law,
     "svk": saint_venant_kirchhoff(1.0, 0.4).law,
+    "yeoh": yeoh(2.0e5, -2.0e4, 4.0e3).law,
+    "ogden": ogden(6.3e5, 1.3, -1.0e4, -2.0).law,
 }
 CASES = [(law, bending) for law in LAWS.values() for bending in BENDING_LAWS]
 IDS = [f"{law}-{bending}" for law in LAWS for bending in BENDING_LAWS]
@@ -49,6 +57,7 @@ def difference(function, values, step=1e-3):
 @settings(max_examples=5, deadline=None)
 def test_gradient_is_the_derivative_of_the_energy(law, bending, seed):
     section, values = Section(law, 0.05, bending), state(seed, 0.15)
+    assume(np.isfinite(plate.energy(section, values)))  # SVK may have no thickness left
     expected = difference(lambda x: plate.energy(section, x), values).reshape(5, 3, 1)
     found = gradient(section, values)
     assert np.allclose(found, expected, atol=1e-10, rtol=1e-8)
@@ -60,6 +69,7 @@ def test_gradient_is_the_derivative_of_the_energy(law, bending, seed):
 def test_hessian_is_the_derivative_of_the_gradient(law, bending, seed):
     section, values = Section(law, 0.05, bending), state(seed, 0.15)
     expected = difference(lambda x: gradient(section, x), values).reshape(5, 3, 5, 3)
+    assume(np.isfinite(expected).all())  # SVK may have no thickness left
     blocks = plate.hessian(*plate.respond(section, values))
     scale = np.abs(expected).max()
     pairs = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)]

@@ -301,7 +301,7 @@ def test_figures_of_states_name_law_and_sheet_of_the_data(module, made_up, tmp_p
     texts = [text.get_text() for axes in figure.axes for text in axes.texts]
     texts.append(figure.get_suptitle())
     note = next(text for text in texts if "L/W" in text)
-    assert style.LAW_NAMES["svk"] in note
+    assert style.law_label("svk") in note
     assert r"$L/W = 2.5$, $t/W = 7 \times 10^{-4}$" in note
 
 

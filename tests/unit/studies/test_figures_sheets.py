@@ -62,12 +62,12 @@ def aspects(made_up, inputs_with):
 
 def test_each_law_is_a_series_with_a_look_of_its_own(three_laws):
     figure = fig05_amplitude.draw(three_laws)
-    assert labels(figure)[:3] == list(style.LAW_NAMES.values())
+    assert labels(figure)[:3] == [style.law_label(law) for law in LAWS]
     looks = [style.looks([law])[0] for law in LAWS]
     for attribute in ("color", "marker", "line"):
         assert len({getattr(look, attribute) for look in looks}) == 3
     (axes,) = figure.axes
-    peaks = [max(points(axes, style.LAW_NAMES[law]), key=lambda p: p[1])[1] for law in LAWS]
+    peaks = [max(points(axes, style.law_label(law)), key=lambda p: p[1])[1] for law in LAWS]
     assert peaks == pytest.approx([peaks[0], 0.8 * peaks[0], 0.6 * peaks[0]])
 
 
@@ -75,7 +75,7 @@ def test_models_come_in_the_order_in_which_they_are_given(made_up, inputs_with):
     figure = fig05_wavelength.draw(
         inputs_with(made_up(material="b", law="svk"), made_up(material="a", law="neo-hookean"))
     )
-    names = [style.LAW_NAMES["svk"], style.LAW_NAMES["neo-hookean"]]
+    names = [style.law_label("svk"), style.law_label("neo-hookean")]
     assert labels(figure)[:2] == names
 
 
@@ -88,7 +88,7 @@ def test_models_are_named_by_what_tells_them_apart(made_up, inputs_with):
     assert [label.split(":")[0] for label in series_labels(other)] == ["latex", "treloar"]
     alone = inputs_with(fixed).series
     assert note(alone) == "$L/W = 2$, $t/W = 10^{-3}$, fixed-thickness"
-    assert series_labels(alone) == [style.LAW_NAMES["mooney-rivlin"]]
+    assert series_labels(alone) == [style.law_label("mooney-rivlin")]
 
 
 def test_a_label_occurs_once_in_a_legend(three_laws):

@@ -89,7 +89,7 @@ STRAIN = ("sheets", 0, "strain")
         (
             ("plate", "bending"),
             "FvK",
-            "plate.bending = 'FvK': must be 'thinning', 'fixed-thickness' or 'fvk'",
+            "plate.bending = 'FvK': must be one of thinning, fixed-thickness, fvk",
         ),
         (
             ("gate", "allow_not_converged"),
@@ -145,8 +145,7 @@ STRAIN = ("sheets", 0, "strain")
         (
             ("variants", "latex-fixed", "bending"),
             "fixed",
-            "variants.latex-fixed.bending = 'fixed': must be 'thinning', 'fixed-thickness' or "
-            "'fvk'",
+            "variants.latex-fixed.bending = 'fixed': must be one of thinning, fixed-thickness, fvk",
         ),
         (
             ("variants", "Fixed"),

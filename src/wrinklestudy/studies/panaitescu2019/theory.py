@@ -10,7 +10,6 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from wrinklestudy.material.homogeneous import saint_venant_kirchhoff_basis
 from wrinklestudy.typing import Array
 
 # Young's modulus in Pa that the paper states (caption of Fig. 1) and normalises by. It is not the
@@ -60,7 +59,8 @@ def uniaxial_svk(strain: ArrayLike, young: float = 1.0) -> Array:
     ValueError
         If a strain is not above -1.
     """
-    return young * saint_venant_kirchhoff_basis(_stretch(strain))
+    stretch = _stretch(strain)
+    return young * (0.5 * stretch * (stretch**2 - 1.0))
 
 
 def uniaxial_hookean(strain: ArrayLike, young: float = 1.0) -> Array:

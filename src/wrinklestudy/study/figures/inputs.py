@@ -17,7 +17,7 @@ from wrinklestudy.results.materials import load_fit
 from wrinklestudy.results.sheets import SheetStates
 from wrinklestudy.study import measurements
 from wrinklestudy.study.figures.series import number
-from wrinklestudy.study.figures.style import LAW_NAMES
+from wrinklestudy.study.figures.style import law_label
 from wrinklestudy.study.measurements import Points, Scan, SheetSize
 
 
@@ -51,7 +51,7 @@ class StateFile:
     def note(self) -> str:
         """The sheet as a line of text for a figure."""
         sheet = f"$L/W = {self.aspect:g}$, $t/W = {number(self.thickness)}$"
-        return f"{LAW_NAMES.get(self.law, self.law)}, {sheet}"
+        return f"{law_label(self.law)}, {sheet}"
 
     def profile(self, per_cell: int = 8) -> Profile:
         """Return the cross-section half-way between the clamps, in units of W."""

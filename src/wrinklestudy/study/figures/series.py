@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from wrinklestudy.results.rows import SheetIdentity, columns
 from wrinklestudy.results.sheets import SheetStates
-from wrinklestudy.study.figures.style import LAW_NAMES, SHORT_NAMES
+from wrinklestudy.study.figures.style import law_label, short_law_label
 
 _SYMBOLS = {"aspect": "L/W", "thickness": "t/W"}
 _ATTRIBUTES = tuple(name for name in columns(SheetIdentity) if name != "material")
@@ -15,10 +15,10 @@ def labels(sheets: Sequence[SheetStates]) -> list[str]:
     varied = [
         name for name in _ATTRIBUTES if len({getattr(sheet, name) for sheet in sheets}) > 1
     ] or ["law"]
-    names = LAW_NAMES if varied == ["law"] else SHORT_NAMES
+    name_of = law_label if varied == ["law"] else short_law_label
     texts = []
     for sheet in sheets:
-        parts = [names.get(sheet.law, sheet.law)] if "law" in varied else []
+        parts = [name_of(sheet.law)] if "law" in varied else []
         parts += [
             f"${symbol} = {number(getattr(sheet, name))}$"
             for name, symbol in _SYMBOLS.items()
@@ -35,7 +35,7 @@ def note(series: Sequence[SheetStates]) -> str:
     """Return what all sheets have in common and their labels do not say."""
     first, parts = series[0], []
     if len({one.law for one in series}) == 1 and len(series) > 1:
-        parts.append(LAW_NAMES.get(first.law, first.law))
+        parts.append(law_label(first.law))
     for name, symbol in _SYMBOLS.items():
         if len({getattr(one, name) for one in series}) == 1:
             parts.append(f"${symbol} = {number(getattr(first, name))}$")

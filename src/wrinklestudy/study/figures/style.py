@@ -12,6 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 
+from wrinklestudy.mechanics.laws import LAWS
 from wrinklestudy.results.files import atomic_path
 
 # Widths in cm of the paper's figures: one column and two.
@@ -68,11 +69,6 @@ class Look:
     label: str = ""
 
 
-_BY_LAW = {
-    "mooney-rivlin": Look(BLUE, "o", "-"),
-    "neo-hookean": Look(VERMILLION, "s", "--"),
-    "svk": Look(GREEN, "^", "-."),
-}
 _CYCLE = (
     Look(BLUE, "o", "-"),
     Look(VERMILLION, "s", "--"),
@@ -85,20 +81,24 @@ _CYCLE = (
 # Markers and lines of an ordered series; its colours run from dark to light.
 _MARKERS, _LINES = "osD^vPX", ("-", "--", "-.")
 _DARK, _LIGHT = 0.0, 0.88
-LAW_NAMES: dict[str, str] = {
-    "mooney-rivlin": "Mooney\N{EN DASH}Rivlin",
-    "neo-hookean": "neo-Hookean",
-    "svk": "Saint Venant\N{EN DASH}Kirchhoff",
-}
 
-SHORT_NAMES = {"mooney-rivlin": "MR", "neo-hookean": "NH", "svk": "SVK"}
+
+def law_label(law: str) -> str:
+    """Return the name of a law for a figure; one that is not registered keeps its own."""
+    return LAWS[law].label if law in LAWS else law
+
+
+def short_law_label(law: str) -> str:
+    """Return the short name of a law for a figure; one that is not registered keeps its own."""
+    return LAWS[law].short_label if law in LAWS else law
 
 
 def looks(laws: list[str]) -> list[Look]:
     """Return one look per series: by law if each law occurs once, otherwise in turn."""
-    if len(set(laws)) == len(laws) and set(laws) <= set(_BY_LAW):
-        return [_BY_LAW[law] for law in laws]
-    return [_CYCLE[k % len(_CYCLE)] for k in range(len(laws))]
+    places = list(range(len(laws)))
+    if len(set(laws)) == len(laws) and set(laws) <= set(LAWS):
+        places = [list(LAWS).index(law) for law in laws]
+    return [_CYCLE[k % len(_CYCLE)] for k in places]
 
 
 def ordered(count: int) -> list[Look]:

@@ -17,6 +17,7 @@ from matplotlib.figure import Figure
 from wrinklestudy.material.data import Measurement, read
 from wrinklestudy.material.homogeneous import MODES, nominal_stress
 from wrinklestudy.material.result import Fit
+from wrinklestudy.mechanics.laws import law_of
 from wrinklestudy.studies.panaitescu2019 import theory
 from wrinklestudy.study.figures import measured, style
 from wrinklestudy.study.figures.inputs import Inputs
@@ -29,7 +30,6 @@ _PASCAL_PER_MPA = 1.0e6
 _MODE_MARKERS = dict(zip(MODES, ("o", "s", "^"), strict=True))
 _MODE_NAMES = dict(zip(MODES, ("uniaxial", "equibiaxial", "pure shear"), strict=True))
 _FIT_LOOKS = ((style.BLUE, "-"), (style.VERMILLION, "--"), (style.GREEN, "-."), (style.PURPLE, ":"))
-_SYMBOLS = {"c10": "C_{10}", "c01": "C_{01}", "young": "Y"}
 # A fit is drawn this far beyond its window, to show where it leaves the data.
 _BEYOND = 1.35
 
@@ -110,10 +110,10 @@ def _paper_panel(axes: Axes, fits: list[Fit], data: Measurement | None) -> None:
 def _short_label(fit: Fit, end: float) -> str:
     """Return the law of a fit and what it is fitted to, if that is not the whole curve."""
     window = fit.stretch_range[1] - 1.0
-    if fit.law == "svk":
-        return f"{style.LAW_NAMES[fit.law]}, initial slope"
+    if law_of(fit.law).small_strain:
+        return f"{style.law_label(fit.law)}, initial slope"
     within = f" for $\\varepsilon \\leq {window:.3g}$" if window < end else ""
-    return f"{style.LAW_NAMES[fit.law]}, fit{within}"
+    return f"{style.law_label(fit.law)}, fit{within}"
 
 
 def _moduli(fits: list[Fit]) -> str:
@@ -169,11 +169,16 @@ def _measured_points(axes: Axes, data: Measurement, modes: list[str], largest: f
 def _fit_label(fit: Fit) -> str:
     """Return law, data and constants of a fit in two lines."""
     which = "all modes" if len(fit.modes) == len(MODES) else f"{', '.join(fit.modes)} only"
-    constants = ", ".join(
-        f"${_SYMBOLS[name]} = {value / _PASCAL_PER_MPA:.3f}$"
-        for name, value in fit.constants.items()
-    )
-    law = style.SHORT_NAMES[fit.law]
-    return (
-        f"{law}, {which}, $\\varepsilon \\leq {fit.stretch_range[1] - 1.0:.3g}$:\n{constants} MPa"
-    )
+    law, window = style.short_law_label(fit.law), fit.stretch_range[1] - 1.0
+    return f"{law}, {which}, $\\varepsilon \\leq {window:.3g}$:\n{_constants(fit)}"
+
+
+def _constants(fit: Fit) -> str:
+    """Return the constants of a fit: those in MPa, then the pure numbers."""
+    symbols = {constant.name: constant.symbol for constant in law_of(fit.law).constants}
+    texts: dict[str, list[str]] = {"Pa": [], "": []}
+    for name, unit in fit.units.items():
+        value = fit.constants[name] / (_PASCAL_PER_MPA if unit == "Pa" else 1.0)
+        number = f"{value:.3f}" if unit == "Pa" else f"{value:.3g}"
+        texts[unit].append(f"${symbols[name]} = {number}$")
+    return ", ".join([f"{', '.join(texts['Pa'])} MPa", *texts[""]])

@@ -1,0 +1,276 @@
+"""What a material law is: its energy at a point, its constants, its names, and the registry."""
+
+import math
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar, Self, TypeVar
+
+from wrinklestudy.typing import Array
+
+
+@dataclass(frozen=True)
+class Constant:
+    """A physical constant of a law.
+
+    Parameters
+    ----------
+    name : str
+        As in files, in Python and, with two dashes, on the command line.
+    symbol : str
+        Mathtext without dollar signs.
+    unit : str
+        'Pa', or '' for a pure number.
+    meaning : str
+        In one line.
+    low, high : float
+        Bounds; `high` itself is allowed, `low` itself unless `above` is set.
+    above : bool
+        Whether the constant must be greater than `low`.
+    default : float, optional
+        Value if none is given; a constant without one is required.
+    fitted : bool
+        Whether a fit to data finds it; otherwise it stays at its default there.
+    """
+
+    name: str
+    symbol: str
+    unit: str
+    meaning: str
+    low: float = -math.inf
+    high: float = math.inf
+    above: bool = False
+    default: float | None = None
+    fitted: bool = True
+
+    @property
+    def column(self) -> str:
+        """Name in files and tables, with the unit: 'c10_pa'."""
+        return f"{self.name}_pa" if self.unit == "Pa" else self.name
+
+    @property
+    def allowed(self) -> str:
+        """The bounds in words: '>= 0 Pa'."""
+        unit = f" {self.unit}" if self.unit else ""
+        bounds = []
+        if math.isfinite(self.low):
+            bounds.append(f"{'>' if self.above else '>='} {self.low:g}{unit}")
+        if math.isfinite(self.high):
+            bounds.append(f"<= {self.high:g}{unit}")
+        return " and ".join(bounds) or "a finite number"
+
+    def check(self, value: float) -> None:
+        """Raise a ValueError of one line if a value is outside the bounds."""
+        inside = self.low < value if self.above else self.low <= value
+        if not (math.isfinite(value) and inside and value <= self.high):
+            raise ValueError(f"{self.name} = {value:g}: must be {self.allowed}")
+
+
+class Law(ABC):
+    """An isotropic material in plane stress, in units of its initial shear modulus.
+
+    A law is made dimensionless so that only the shape of the energy is left: the ratio C01/C10 for
+    Mooney-Rivlin, nothing for neo-Hookean, Poisson's ratio for Saint Venant-Kirchhoff. It is a
+    function of the in-plane metric of shape ``(3, ...)`` with components (g11, g22, g12).
+
+    A class is a dataclass whose fields have the names of the constants, or it says with
+    `dimensionless` and `physical` how its fields follow from them.
+
+    Attributes
+    ----------
+    name : str
+        As in files, in the config and on the command line.
+    label, short_label : str
+        For figures.
+    constants : tuple of Constant
+        Physical constants.
+    linear : bool
+        Whether the energy is linear in the constants that a fit finds.
+    small_strain : bool
+        Whether the law describes small strains only, so that it is fitted to the initial slope.
+    starts : tuple of mappings
+        Of a law that is not linear: constants from which a fit starts, those in Pa in units of the
+        initial shear modulus. On the way each constant keeps the sign that it has there.
+    """
+
+    name: ClassVar[str]
+    label: ClassVar[str]
+    short_label: ClassVar[str]
+    constants: ClassVar[tuple[Constant, ...]]
+    linear: ClassVar[bool] = False
+    small_strain: ClassVar[bool] = False
+    starts: ClassVar[tuple[Mapping[str, float], ...]] = ()
+
+    @property
+    @abstractmethod
+    def poisson(self) -> float:
+        """Poisson's ratio of the undeformed material."""
+
+    @abstractmethod
+    def energy(self, metric: Array) -> Array:
+        """Return the strain energy per reference volume, shape ``(...)``."""
+
+    @abstractmethod
+    def derivatives(self, metric: Array) -> tuple[Array, Array]:
+        """Return dW/dg of shape ``(3, ...)`` and d2W/dg2 of shape ``(3, 3, ...)``."""
+
+    @abstractmethod
+    def thickness_stretch(self, metric: Array) -> tuple[Array, Array, Array]:
+        """Return lambda3 and its first and second derivatives with respect to the metric."""
+
+    @abstractmethod
+    def natural_width(self, stretch: Array) -> Array:
+        """Return the transverse stretch under uniaxial tension at a stretch, shape ``(...)``."""
+
+    @classmethod
+    @abstractmethod
+    def shear_modulus(cls, constants: Mapping[str, float]) -> float:
+        """Return the initial shear modulus in Pa from the physical constants."""
+
+    @classmethod
+    def dimensionless(cls, constants: Mapping[str, float], modulus: float) -> Self:
+        """Return the law from physical constants and the initial shear modulus that they give."""
+        values = {
+            constant.name: constants[constant.name] / (modulus if constant.unit == "Pa" else 1.0)
+            for constant in cls.constants
+        }
+        return cls(**values)
+
+    def physical(self, modulus: float) -> dict[str, float]:
+        """Return the physical constants of the law with an initial shear modulus in Pa."""
+        return {
+            constant.name: getattr(self, constant.name) * (modulus if constant.unit == "Pa" else 1)
+            for constant in self.constants
+        }
+
+    @classmethod
+    def check(cls, constants: Mapping[str, float]) -> None:
+        """Raise a ValueError of one line if constants are allowed alone but not together."""
+        del constants  # most laws allow whatever is within the bounds
+
+    @classmethod
+    def canonical_order(cls, constants: Mapping[str, float]) -> tuple[str, ...]:
+        """Return which constant each takes its value from in the one form that fits give.
+
+        For a law that stays the same when some of its constants change places.
+        """
+        return tuple(constants)
+
+    @classmethod
+    def covers(cls, law: "Law") -> bool:
+        """Return whether a law is one of this class, or a special case of another that is."""
+        return type(law) is cls
+
+    @classmethod
+    def material(cls, **constants: float) -> "Material":
+        """Return a material from physical constants.
+
+        Raises
+        ------
+        ValueError
+            If a constant is missing or unknown, or outside its bounds; one line that names it.
+        """
+        values = dict(constants)
+        if unknown := values.keys() - {constant.name for constant in cls.constants}:
+            known = ", ".join(constant.name for constant in cls.constants)
+            raise ValueError(f"{min(unknown)}: not a constant of {cls.name}, which takes {known}")
+        for constant in cls.constants:
+            if constant.name not in values:
+                if constant.default is None:
+                    raise ValueError(f"{constant.name}: {cls.name} needs it")
+                values[constant.name] = constant.default
+            constant.check(values[constant.name])
+        cls.check(values)
+        modulus = cls.shear_modulus(values)
+        if not modulus > 0.0:
+            given = ", ".join(f"{name} = {value:g}" for name, value in values.items())
+            raise ValueError(f"{given}: the initial shear modulus must be > 0 Pa")
+        return Material(cls.dimensionless(values, modulus), modulus)
+
+    @classmethod
+    def unit_laws(cls) -> "list[Law]":
+        """Return one law for each constant, which is 1 in it while all others are 0.
+
+        The energy of a linear law is the sum of theirs, each times its constant.
+        """
+        names = [constant.name for constant in cls.constants]
+        return [cls(**{name: float(name == one) for name in names}) for one in names]
+
+
+@dataclass(frozen=True)
+class Material:
+    """A law together with its initial shear modulus.
+
+    Parameters
+    ----------
+    law : Law
+        Dimensionless law.
+    shear_modulus : float
+        Initial shear modulus in Pa.
+    """
+
+    law: Law
+    shear_modulus: float
+
+    @property
+    def young_modulus(self) -> float:
+        """Initial slope of the uniaxial stress-strain curve in Pa: 2 (1 + nu) mu."""
+        return 2.0 * (1.0 + self.law.poisson) * self.shear_modulus
+
+
+# The registry: all laws by name, in the order in which they are offered and drawn.
+LAWS: dict[str, type[Law]] = {}
+
+AnyLaw = TypeVar("AnyLaw", bound=type[Law])
+
+
+def register(law: AnyLaw) -> AnyLaw:
+    """Put a class of laws into the registry and return it, so that it can decorate the class.
+
+    Raises
+    ------
+    ValueError
+        If there is another law of that name.
+    """
+    if LAWS.setdefault(law.name, law) is not law:
+        raise ValueError(f"law {law.name!r}: there is one already")
+    return law
+
+
+def law_of(name: str) -> type[Law]:
+    """Return the class of a law.
+
+    Raises
+    ------
+    ValueError
+        If there is no law of that name.
+    """
+    if name not in LAWS:
+        raise ValueError(f"law {name!r} is unknown: allowed are {', '.join(LAWS)}")
+    return LAWS[name]
+
+
+def describe(material: Material) -> dict[str, str | float]:
+    """Return the law and its constants as plain values, pascals included.
+
+    A law that is a special case of another goes by the name that has fewer constants.
+    """
+    law = material.law
+    kinds = [kind for kind in LAWS.values() if kind.covers(law)]
+    if not kinds:
+        raise TypeError(f"{type(law).__name__} has no description: not one of {', '.join(LAWS)}")
+    kind = min(kinds, key=lambda one: len(one.constants))
+    values = law.physical(material.shear_modulus)
+    return {"law": kind.name, **{c.column: values[c.name] for c in kind.constants}}
+
+
+def from_description(values: Mapping[str, Any]) -> Material:
+    """Return the material that `describe` described; other keys are ignored.
+
+    Raises
+    ------
+    ValueError
+        If the law is unknown or a constant is outside its bounds.
+    """
+    kind = law_of(values["law"])
+    return kind.material(**{c.name: float(values[c.column]) for c in kind.constants})
