@@ -12,7 +12,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-from verification.sheets import LATEX, NEO_HOOKEAN, SVK, TEN_TO_ONE
+from verification.tools.sheets import LATEX, NEO_HOOKEAN, SVK, TEN_TO_ONE
 from wrinklestudy.fem.grid import MeshSettings
 from wrinklestudy.material.fit import fit
 from wrinklestudy.mechanics.laws import Material

@@ -23,7 +23,7 @@ _LIMIT = 300.0  # seconds
 _WIDTH = 160  # of a message
 _CHECKS = (
     "import json, wrinklestudy\n"
-    "from verification import {group}\n"
+    "from verification.groups import {group}\n"
     "failed = [check.name for check in {group}.quick() if not check.passed]\n"
     "print(json.dumps([wrinklestudy.__file__, failed]))"
 )

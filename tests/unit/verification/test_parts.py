@@ -5,16 +5,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from verification.bending import elastica_formula
-from verification.closed_forms import LAW
-from verification.consistency import STEP, difference
-from verification.convergence import limit
-from verification.independent import extrapolated
+from verification.tools.bending import elastica_formula
+from verification.groups.closed_forms import LAW
+from verification.tools.consistency import STEP, difference
+from verification.groups.convergence import limit
+from verification.groups.independent import extrapolated
 from verification.mutations import MUTATIONS
-from verification.problem import held
-from verification.singularity import halved, williams
-from verification.stiffness import flexure, stiffness_formula
-from verification.stretching import CASES, MODES, exact
+from verification.tools.problem import held
+from verification.tools.singularity import halved, williams
+from verification.tools.stiffness import flexure, stiffness_formula
+from verification.tools.stretching import CASES, MODES, exact
 from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.material.homogeneous import nominal_stress

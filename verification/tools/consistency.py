@@ -7,7 +7,7 @@ import numpy as np
 from scipy import sparse
 from scipy.spatial.transform import Rotation
 
-from verification.problem import VALUE, Sheet, nodes
+from verification.tools.problem import VALUE, Sheet, nodes
 from wrinklestudy.equilibrium.flat import MembraneProblem
 from wrinklestudy.equilibrium.problem import PlateProblem
 from wrinklestudy.fem.factorisation import multiply

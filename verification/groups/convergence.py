@@ -7,7 +7,7 @@ import numpy as np
 from scipy.optimize import minimize_scalar
 
 from verification.checks import Check, Group, Table, write
-from verification.singularity import williams
+from verification.tools.singularity import williams
 from wrinklestudy.fem.grid import MeshSettings
 from wrinklestudy.mechanics.laws import mooney_rivlin
 from wrinklestudy.sheet import Sheet

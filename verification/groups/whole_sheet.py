@@ -6,11 +6,11 @@ from pathlib import Path
 
 import numpy as np
 
-from verification import mirrors
+from verification.tools import mirrors
 from verification.checks import Check, Group, Table, write
-from verification.mirrors import SLIDING, name
-from verification.sheets import LATEX, PARITIES, THICKNESS, amplitude, energy_below
-from verification.sliding import FINER, MESH, SPECTRA, STRAINS, Pair, Study, study
+from verification.tools.mirrors import SLIDING, name
+from verification.tools.sheets import LATEX, PARITIES, THICKNESS, amplitude, energy_below
+from verification.tools.sliding import FINER, MESH, SPECTRA, STRAINS, Pair, Study, study
 from wrinklestudy.equilibrium.mirror_stability import CLASSES, ClassStability
 from wrinklestudy.fem.grid import MeshSettings
 from wrinklestudy.study.figures import style

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from verification.problem import VALUE, Sheet, affine, held, nodes
+from verification.tools.problem import VALUE, Sheet, affine, held, nodes
 from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics import laws

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from verification.checks import Check, Group, Table, write
-from verification.consistency import (
+from verification.tools.consistency import (
     CURVATURE,
     POINTS,
     ROLL,
@@ -20,7 +20,7 @@ from verification.consistency import (
     rigid_errors,
     states,
 )
-from verification.problem import Sheet
+from verification.tools.problem import Sheet
 from wrinklestudy.equilibrium import flat, modes
 from wrinklestudy.equilibrium.flat import MembraneProblem
 from wrinklestudy.equilibrium.problem import PlateProblem

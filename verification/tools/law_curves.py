@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from verification.sheets import (
+from verification.tools.sheets import (
     LATEX,
     NEO_HOOKEAN,
     SVK,
@@ -15,7 +15,7 @@ from verification.sheets import (
     quarter,
     wrinkled,
 )
-from verification.stretched_stiffness import across_pull
+from verification.tools.stretched_stiffness import across_pull
 from wrinklestudy.equilibrium import flat, modes, stability
 from wrinklestudy.equilibrium.planar import PlanarSettings
 from wrinklestudy.fem.space import Space

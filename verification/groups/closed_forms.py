@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from verification import bending, stiffness, stretching
+from verification.tools import bending, stiffness, stretching
 from verification.checks import Check, Group, Table, write
 from wrinklestudy.material.homogeneous import nominal_stress
 from wrinklestudy.mechanics.laws import Material, MooneyRivlin

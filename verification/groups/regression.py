@@ -11,7 +11,7 @@ import numpy as np
 
 from verification.checks import Check, Group, Table, write
 from verification.golden import DEFAULT, DISCRETISATION, FINER, Golden, constants, numbers, read
-from verification.sheets import LATEX, THICKNESS, parts
+from verification.tools.sheets import LATEX, THICKNESS, parts
 from wrinklestudy.fem.grid import MeshSettings
 from wrinklestudy.sheet import Sheet
 from wrinklestudy.study.figures import style
@@ -26,7 +26,7 @@ _ROUNDING, _SOLVER = 1e-10, 1e-8
 _CHILD = (
     "import json, sys\n"
     "if {superlu}: sys.modules['pypardiso'] = None\n"
-    "from verification.regression import fingerprint\n"
+    "from verification.groups.regression import fingerprint\n"
     "print(json.dumps(fingerprint({mesh})))"
 )
 

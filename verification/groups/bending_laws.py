@@ -6,9 +6,9 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from verification.checks import Check, Group, Table, write
-from verification.law_curves import AMPLITUDE_MESH, MATERIALS, MESH, Curve, curves, softer
-from verification.sheets import THICKNESS
-from verification.stretched_stiffness import across_pull, closed_form
+from verification.tools.law_curves import AMPLITUDE_MESH, MATERIALS, MESH, Curve, curves, softer
+from verification.tools.sheets import THICKNESS
+from verification.tools.stretched_stiffness import across_pull, closed_form
 from wrinklestudy.mechanics.laws import MooneyRivlin
 from wrinklestudy.study.figures import style
 from wrinklestudy.typing import Array

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from verification.checks import Check, Group, Table, write
-from verification.singularity import (
+from verification.tools.singularity import (
     ASPECT,
     DEEPEST,
     MATERIAL,

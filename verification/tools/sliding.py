@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import brentq
 
-from verification.mirrors import SLIDING
-from verification.sheets import (
+from verification.tools.mirrors import SLIDING
+from verification.tools.sheets import (
     LATEX,
     PARITIES,
     THICKNESS,

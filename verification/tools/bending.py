@@ -6,7 +6,7 @@ import numpy as np
 from scipy import linalg, optimize, special
 from skfem import Basis, LinearForm
 
-from verification.problem import SLOPE_X, SLOPE_Y, VALUE, Mask, Sheet, affine, held, nodes
+from verification.tools.problem import SLOPE_X, SLOPE_Y, VALUE, Mask, Sheet, affine, held, nodes
 from wrinklestudy.fem.element import ElementQuadHermite
 from wrinklestudy.fem.grid import Grid
 from wrinklestudy.fem.space import Space

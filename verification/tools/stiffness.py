@@ -3,8 +3,8 @@
 import numpy as np
 from scipy import optimize
 
-from verification.problem import SLOPE_X, SLOPE_Y, VALUE, Sheet, affine, nodes
-from verification.stretching import exact
+from verification.tools.problem import SLOPE_X, SLOPE_Y, VALUE, Sheet, affine, nodes
+from verification.tools.stretching import exact
 from wrinklestudy.fem.factorisation import multiply
 from wrinklestudy.fem.grid import Grid
 from wrinklestudy.fem.space import Space

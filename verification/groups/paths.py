@@ -4,11 +4,11 @@ from pathlib import Path
 
 import numpy as np
 
-from verification import seeding, tracing
+from verification.tools import seeding, tracing
 from verification.checks import Check, Group, write
-from verification.seeding import SIZES, Found, minima
-from verification.sheets import LATEX, PARITIES, THICKNESS, parts, planar_state, quarter, wrinkled
-from verification.tracing import MESH, STARTS, Landau, Traced, landau, slopes, traced
+from verification.tools.seeding import SIZES, Found, minima
+from verification.tools.sheets import LATEX, PARITIES, THICKNESS, parts, planar_state, quarter, wrinkled
+from verification.tools.tracing import MESH, STARTS, Landau, Traced, landau, slopes, traced
 from wrinklestudy.equilibrium import continuation, flat, stability
 from wrinklestudy.equilibrium.planar import PlanarSettings
 from wrinklestudy.equilibrium.planar import solve as solve_planar

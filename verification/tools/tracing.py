@@ -5,8 +5,8 @@ from typing import NamedTuple
 import numpy as np
 
 from verification.checks import Check, Table
-from verification.seeding import AGREE
-from verification.sheets import LATEX, PARITIES, THICKNESS, amplitude_of, quarter, wrinkled
+from verification.tools.seeding import AGREE
+from verification.tools.sheets import LATEX, PARITIES, THICKNESS, amplitude_of, quarter, wrinkled
 from wrinklestudy.equilibrium import continuation
 from wrinklestudy.equilibrium.continuation import Branch, BranchPoint
 from wrinklestudy.equilibrium.planar import PlanarSettings

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from verification.checks import Check, Table
-from verification.sheets import amplitude, energy_below
+from verification.tools.sheets import amplitude, energy_below
 from wrinklestudy.equilibrium.modes import Modes, pairs
 from wrinklestudy.equilibrium.planar import Planar
 from wrinklestudy.equilibrium.problem import PlateProblem

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from verification.checks import Check
-from verification.sheets import (
+from verification.tools.sheets import (
     LATEX,
     PARITIES,
     THICKNESS,
