@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from verification.checks import Check, Group, Table, write
+from verification.checks import Check, Group, Table, conclusion, write
 from verification.tools.singularity import (
     ASPECT,
     DEEPEST,
@@ -23,6 +23,7 @@ from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.metrics.measure import measure_position
 from wrinklestudy.study.figures import style
+from wrinklestudy.typing import AnyPath
 
 THICKNESS = 1.0e-3
 GRADINGS = (1.0, 1.25, 1.5, 2.0)
@@ -45,38 +46,41 @@ class Leading(NamedTuple):
 def leading(space: Space, strain: float) -> Leading:
     """Return what the leading modes of the flat state are."""
     state = flat.solve(space, MATERIAL.law, strain)
-    found = modes.spectrum(state, count=MODE_COUNT)
-    thickness = np.sqrt(np.maximum(found.squared, 0.0))
-    corner = found.corner >= modes.CORNER_PART
+    spectrum = modes.spectrum(state, count=MODE_COUNT)
+    thickness = np.sqrt(np.maximum(spectrum.squared, 0.0))
+    corner = spectrum.corner >= modes.CORNER_PART
     wrinkles = thickness[~corner].max(initial=0.0)
     return Leading(float(wrinkles), float(thickness[corner].max()) if corner.any() else np.nan)
 
 
-def _grading_study() -> tuple[list[Check], Table]:
-    """Return which gradings and meshes have a corner mode, and how far tau_1 depends on them."""
+def _grading_study() -> tuple[
+    list[Check], Table, dict[tuple[tuple[int, int], float], list[Leading]]
+]:
+    """Return which gradings and meshes have a corner mode, and how far tau_1 depends on them.
+
+    The last are the leading modes by cells and grading, at `MODE_STRAINS`.
+    """
     checks, rows = [], []
+    by_mesh = {}
     for cells in (COARSE, DEFAULT):
         for grading in GRADINGS:
             space = Space(make_grid(ASPECT, settings=MeshSettings(*cells, grading)))
-            found = [leading(space, strain) for strain in MODE_STRAINS]
-            rows.append(
-                [
-                    f"{cells[0]} x {cells[1]}, {grading:g}",
-                    *(
-                        f"{1e3 * one.wrinkle:.4f}"
-                        + ("" if np.isnan(one.corner) else f" ({1e3 * one.corner:.3f})")
-                        for one in found
-                    ),
-                ]
+            leaders = [leading(space, strain) for strain in MODE_STRAINS]
+            by_mesh[cells, grading] = leaders
+            shown = (
+                f"{1e3 * mode.wrinkle:.4f}"
+                + ("" if np.isnan(mode.corner) else f" ({1e3 * mode.corner:.3f})")
+                for mode in leaders
             )
-            checks += _mode_checks(cells, grading, found)
+            rows.append([f"{cells[0]} x {cells[1]}, {grading:g}", *shown])
+            checks += _mode_checks(cells, grading, leaders)
     columns = ("mesh, grading", *(f"strain {strain:g}" for strain in MODE_STRAINS))
     title = f"10^3 tau_1/W, in brackets a corner mode among the {MODE_COUNT} leading modes"
-    return checks, Table(title, columns, rows)
+    return checks, Table(title, columns, rows), by_mesh
 
 
-def _mode_checks(cells: tuple[int, int], grading: float, found: list[Leading]) -> list[Check]:
-    corners = [one.corner for one in found]
+def _mode_checks(cells: tuple[int, int], grading: float, leaders: list[Leading]) -> list[Check]:
+    corners = [mode.corner for mode in leaders]
     if grading == MeshSettings().grading:
         reason = "the default grading has no corner mode before wrinkles of many nodes"
         name = f"{cells[0]} x {cells[1]}, grading {grading:g}: corner modes"
@@ -87,20 +91,20 @@ def _mode_checks(cells: tuple[int, int], grading: float, found: list[Leading]) -
         reason = "the artefact that the part of energy at the corner is to find is there"
         name = f"{cells[0]} x {cells[1]}, uniform, strain 0.3: corner mode over tau_1"
         return [
-            Check(name, corners[late] / found[late].wrinkle, 1.0, kind="at least", reason=reason)
+            Check(name, corners[late] / leaders[late].wrinkle, 1.0, kind="at least", reason=reason)
         ]
     return []
 
 
 def _refined(space: Space, strain: float) -> dict[str, float]:
     """Return tau_1, A and Phi^2 of the wrinkled sheet."""
-    found = planar.solve(space, MATERIAL, strain)
-    state = wrinkled.solve(found, THICKNESS)
-    if state.status != "wrinkled" or found.modes is None or state.position is None:
+    plane = planar.solve(space, MATERIAL, strain)
+    state = wrinkled.solve(plane, THICKNESS)
+    if state.status != "wrinkled" or plane.modes is None or state.position is None:
         raise ArithmeticError(f"strain {strain:g}: {state.status} {state.reason}")
     position = space.nodes_from_field(state.position)
-    measures = measure_position(space.grid.x, space.grid.y, position, found.settings.parity)
-    values = (found.modes.critical_thickness, measures.amplitude, measures.phi_squared)
+    measures = measure_position(space.grid.x, space.grid.y, position, plane.settings.parity)
+    values = (plane.modes.critical_thickness, measures.amplitude, measures.phi_squared)
     return dict(zip(BARS, values, strict=True))
 
 
@@ -145,20 +149,43 @@ def _definiteness(space: Space, strain: float) -> tuple[float, int]:
     return float(measure[indefinite].sum() / measure.sum()), solver.negative
 
 
-def _definiteness_study(spaces: Sequence[Space]) -> tuple[list[Check], Table]:
+class BendingForm(NamedTuple):
+    """Where the bending form is indefinite on one mesh at one strain."""
+
+    strain: float
+    halvings: int
+    cell: str  # at the corner, in words
+    area: float  # part of the area
+    negative: int  # eigenvalues of B
+
+
+def _definiteness_study(
+    spaces: Sequence[Space],
+) -> tuple[list[Check], Table, list[BendingForm]]:
     """Return where the bending form is indefinite, and whether the matrix B is."""
-    checks: list[Check] = []
-    rows: list[list[str | int]] = []
-    for space in spaces:
-        for strain in MODE_STRAINS[-2:]:
-            part, negative = _definiteness(space, strain)
-            rows.append([f"{strain:g}", _cell(space), f"{part:.1e}", negative])
-            if space is spaces[0]:
-                name = f"strain {strain:g}, default mesh: negative eigenvalues of B"
-                reason = "tau_1 is that of an eigenproblem with B for the metric"
-                checks.append(Check(name, negative, 0.0, 0.0, "absolute", reason))
+    forms = [
+        BendingForm(strain, halvings, _cell(space), *_definiteness(space, strain))
+        for halvings, space in enumerate(spaces)
+        for strain in MODE_STRAINS[-2:]
+    ]
+    reason = "tau_1 is that of an eigenproblem with B for the metric"
+    checks = [
+        Check(
+            f"strain {form.strain:g}, default mesh: negative eigenvalues of B",
+            form.negative,
+            0.0,
+            0.0,
+            "absolute",
+            reason,
+        )
+        for form in forms
+        if form.halvings == 0
+    ]
     columns = ("strain", "cell at the corner", "area with an indefinite form", "negative in B")
-    return checks, Table("Bending form at the corner (thinning)", columns, rows)
+    rows: list[list[str | int]] = [
+        [f"{f.strain:g}", f.cell, f"{f.area:.1e}", f.negative] for f in forms
+    ]
+    return checks, Table("Bending form at the corner (thinning)", columns, rows), forms
 
 
 def _plot(densities: Densities, path: Path) -> None:
@@ -169,18 +196,18 @@ def _plot(densities: Densities, path: Path) -> None:
         left, right = figure.subplots(1, 2)
         for grading, look in zip((1.0, 1.5), style.looks(["a", "b"]), strict=True):
             space = Space(make_grid(ASPECT, settings=MeshSettings(*COARSE, grading)))
-            found = [leading(space, one) for one in strain]
+            leaders = [leading(space, value) for value in strain]
             name = f"{COARSE[0]} x {COARSE[1]}, grading {grading:g}"
-            taus = [1e3 * one.wrinkle for one in found]
+            taus = [1e3 * mode.wrinkle for mode in leaders]
             left.plot(strain, taus, look.marker + look.line, color=look.color, label=name)
-            taus = [1e3 * one.corner for one in found]
+            taus = [1e3 * mode.corner for mode in leaders]
             if np.isfinite(taus).any():
                 left.plot(strain, taus, "x:", color=look.color, label=f"{name}: corner")
         left.set(xlabel=r"strain $\varepsilon$", ylabel=r"$10^3\,\tau/W$", ylim=(0.0, None))
         left.legend()
-        for (one, rows), look in zip(densities.items(), style.ordered(4), strict=True):
+        for (value, rows), look in zip(densities.items(), style.ordered(4), strict=True):
             size, density = np.array(rows).T
-            name = rf"$\varepsilon = {one:g}$"
+            name = rf"$\varepsilon = {value:g}$"
             right.loglog(
                 size, density / density[0], look.marker + "-", color=look.color, label=name
             )
@@ -196,24 +223,21 @@ def quick() -> list[Check]:
     checks = []
     for grading in (1.0, MeshSettings().grading):
         space = Space(make_grid(ASPECT, settings=MeshSettings(*COARSE, grading)))
-        checks += _mode_checks(COARSE, grading, [leading(space, one) for one in MODE_STRAINS])
+        checks += _mode_checks(COARSE, grading, [leading(space, strain) for strain in MODE_STRAINS])
     return checks
 
 
-def run(output: Path | str) -> None:
+def run(output: AnyPath) -> None:
     """Write the group: gradings, corner modes, the corner's influence and its singularity."""
     output = Path(output)
-    singular, singular_table, densities = exponents(STRAINS)
     spaces = [Space(halved(make_grid(ASPECT), times)) for times in range(HALVINGS + 2)]
-    parts = [
-        _grading_study(),
-        _corner_study(spaces),
-        (singular, singular_table),
-        _definiteness_study(spaces),
-    ]
+    mode_checks, mode_table, leading_modes = _grading_study()
+    singular, singular_table, densities = exponents(STRAINS)
+    form_checks, form_table, forms = _definiteness_study(spaces)
+    refined_checks, refined_table = _corner_study(spaces)
     _plot(densities, output.with_name("corner.png"))
-    checks = [check for found, _ in parts for check in found]
-    tables = [table for _, table in parts]
+    checks = [*mode_checks, *refined_checks, *singular, *form_checks]
+    tables = [mode_table, refined_table, singular_table, form_table]
     plots = [
         (
             "corner.png",
@@ -221,26 +245,85 @@ def run(output: Path | str) -> None:
             "Right: largest energy density of the flat state against the cell at the corner.",
         )
     ]
-    write(Group("corner", "Corner of clamp and free edge", _text(), checks, tables, plots), output)
+    text = _text(leading_modes, refined_checks, forms)
+    title = "Corner of clamp and free edge"
+    write(Group("corner", title, text, checks, tables, plots), output)
 
 
-def _text() -> str:
-    exponent = williams(MATERIAL.law.poisson)
+def modes_text(uniform: Sequence[Leading], default: Sequence[Leading]) -> str:
+    """Say where modes of the corner are among the leading ones, and where they lead.
+
+    Parameters
+    ----------
+    uniform, default : sequence of Leading
+        On a uniform mesh and with the default grading, at `MODE_STRAINS`.
+    """
+    leads = [
+        strain
+        for strain, mode in zip(MODE_STRAINS, uniform, strict=True)
+        if mode.corner > mode.wrinkle
+    ]
+    there = [mode for mode in default if np.isfinite(mode.corner)]
+    led = ", ".join(f"{strain:g}" for strain in leads)
     return (
-        "Where the clamp meets the free edge the stress of the flat state is singular. On a "
-        "uniform grid a spurious mode sits there and soon has a larger critical thickness than the "
-        f"wrinkles; a mode is taken for one of the corner if at least {modes.CORNER_PART:g} of its "
-        "bending energy sits there, and never counts. With the default grading none is among the "
-        f"{MODE_COUNT} leading modes.\n\n"
+        conclusion(
+            bool(leads),
+            f"On a uniform grid a spurious mode sits there; at strains {led} it has a larger "
+            "critical thickness than the wrinkles.",
+            "On a uniform grid no mode that sits there has a larger critical thickness than the "
+            "wrinkles.",
+        )
+        + f" A mode is taken for one of the corner if at least {modes.CORNER_PART:g} of its "
+        "bending energy sits there, and never counts. With the default grading "
+        + conclusion(
+            not there,
+            f"none is among the {MODE_COUNT} leading modes.",
+            f"{len(there)} of the cases have one among the {MODE_COUNT} leading modes.",
+        )
+    )
+
+
+def forms_text(forms: Sequence[BendingForm]) -> str:
+    """Say where the bending form and the matrix B are indefinite."""
+    default = [form for form in forms if form.halvings == 0]
+    finer = [form for form in forms if form.halvings > 0 and form.negative]
+    part = max(form.area for form in default)
+    return (
+        f"On the default mesh it is indefinite on {part:.1e} of the area at most, and the matrix B "
+        + conclusion(
+            not any(form.negative for form in default),
+            "stays positive definite",
+            "has negative eigenvalues there too",
+        )
+        + conclusion(
+            bool(finer),
+            "; on finer cells it does not at "
+            + ", ".join(f"strain {form.strain:g} ({form.cell})" for form in finer)
+            + ", and critical thicknesses have no meaning there.",
+            "; on finer cells it has no negative eigenvalues either.",
+        )
+    )
+
+
+def _text(
+    leading_modes: dict[tuple[tuple[int, int], float], list[Leading]],
+    refined: Sequence[Check],
+    forms: Sequence[BendingForm],
+) -> str:
+    exponent = williams(MATERIAL.law.poisson)
+    grading = MeshSettings().grading
+    default = [m for (_, g), cases in leading_modes.items() if g == grading for m in cases]
+    largest = max(abs(check.value) for check in refined)
+    return (
+        "Where the clamp meets the free edge the stress of the flat state is singular. "
+        f"{modes_text(leading_modes[COARSE, 1.0], default)}\n\n"
         f"At small strain the exponent of the displacements must be Williams' root {exponent:.4f} "
         "for plane stress and nu = 1/2, W ~ r^(2e-2); the flat state alone is computed down to "
-        f"{DEEPEST} halvings for that. The energy in the corner is integrable and its influence on "
-        "the wrinkles far away is bounded by halving the cells there.\n\n"
+        f"{DEEPEST} halvings for that. The energy in the corner is integrable. Halving the cells "
+        f"there changes the wrinkles far away by {largest:.0e} at most.\n\n"
         "Cells at the corner that are as small as the thickness ask for more than plate theory "
         "knows: for Mooney-Rivlin the form b.W''.b, which leaves out terms proportional to the "
         "stress (see *Closed forms*), is indefinite in twist where the sheet is stretched much in "
         "both directions, in pure shear (as along the clamp) from a stretch of "
-        f"{twist_limit():.3f} on. On the default mesh these are single points at the corner and "
-        "the matrix B stays positive definite; where it does not (last column), critical "
-        "thicknesses have no meaning."
+        f"{twist_limit():.3f} on. {forms_text(forms)}"
     )

@@ -7,12 +7,12 @@ import numpy as np
 import pandas as pd
 from scipy.optimize import brentq
 
-from verification.checks import Check, Group, Table, write
+from verification.checks import Check, Group, Table, conclusion, write
 from wrinklestudy.equilibrium.stability import Stability
 from wrinklestudy.mechanics.laws import mooney_rivlin
 from wrinklestudy.sheet import Sheet
 from wrinklestudy.study.figures import style
-from wrinklestudy.typing import Array
+from wrinklestudy.typing import AnyPath, Array
 
 DATA = Path("data/isogeometric_fixed_thickness.csv")  # from the folder of the project
 MATERIAL = mooney_rivlin(6.21e4, 1.58e5)
@@ -30,7 +30,7 @@ _SMOOTH_BAR = 3.0e-4
 _EXTRAPOLATED = 4  # points of A^2 whose polynomial is extrapolated to zero
 
 
-class Point(NamedTuple):
+class ComparedState(NamedTuple):
     """One strain, computed here and by the other code; lengths in t or W, force in N."""
 
     strain: float
@@ -43,27 +43,27 @@ class Point(NamedTuple):
     other_force: float
 
 
-def sheet() -> Sheet:
+def sheet_of_the_data() -> Sheet:
     """Return the sheet of the data on the default mesh."""
     return Sheet(2.0, THICKNESS / WIDTH, MATERIAL, bending="fixed-thickness")
 
 
-def compare(one: Sheet, rows: pd.DataFrame) -> list[Point]:
+def compare(sheet: Sheet, rows: pd.DataFrame) -> list[ComparedState]:
     """Return the states of a sheet at the strains of some rows of the data.
 
     The force is nominal stress x mu x W t with the initial shear modulus mu = 2 (C10 + C01).
     """
     points = []
     for row in rows.itertuples():
-        state = one.solve(float(str(row.eps)))
+        state = sheet.solve(float(str(row.eps)))
         if state.measures is None:
             raise ArithmeticError(f"strain {row.eps}: {state.equilibrium.reason}")
         force = state.equilibrium.nominal_stress * MATERIAL.shear_modulus * WIDTH * THICKNESS
         points.append(
-            Point(
+            ComparedState(
                 state.strain,
                 state.status,
-                state.measures.amplitude / one.thickness,
+                state.measures.amplitude / sheet.thickness,
                 state.measures.projected_width,
                 force,
                 float(str(row.A_over_t)),
@@ -74,7 +74,7 @@ def compare(one: Sheet, rows: pd.DataFrame) -> list[Point]:
     return points
 
 
-def _slopes(points: list[Point]) -> Array:
+def _slopes(points: list[ComparedState]) -> Array:
     """Return |dA/deps| in units of t: of the chord to the next neighbour, the steeper one."""
     strain = np.array([point.strain for point in points])
     amplitude = np.array([point.amplitude for point in points])
@@ -82,7 +82,7 @@ def _slopes(points: list[Point]) -> Array:
     return np.maximum(np.append(chords, 0.0), np.insert(chords, 0, 0.0))
 
 
-def _checks(points: list[Point], slopes: Array) -> list[Check]:
+def _checks(points: list[ComparedState], slopes: Array) -> list[Check]:
     checks = []
     for point, slope in zip(points, slopes, strict=True):
         case = f"strain {point.strain:g}"
@@ -120,20 +120,20 @@ def extrapolated(strain: Array, amplitude: Array, beyond: float) -> float:
     return float(brentq(squares, *sorted((float(nearest), beyond))))
 
 
-def _end_checks(points: list[Point], found: Stability) -> tuple[list[Check], Table]:
+def _end_checks(points: list[ComparedState], ends: Stability) -> tuple[list[Check], Table]:
     """Return birth and decay strain against the header, and both extrapolations of A^2."""
     wrinkled = [point for point in points if point.status == "wrinkled"]
     strain = np.array([point.strain for point in wrinkled])
     amplitudes = np.array([[point.amplitude, point.other_amplitude] for point in wrinkled])
     checks, rows = [], []
-    ends = (
-        ("birth", found.birth_strain, ONSET, ONSET_BAR, slice(None, _EXTRAPOLATED), -_BEYOND),
-        ("decay", found.decay_strain, END, END_BAR, slice(-_EXTRAPOLATED, None), _BEYOND),
+    cases = (
+        ("birth", ends.birth_strain, ONSET, ONSET_BAR, slice(None, _EXTRAPOLATED), -_BEYOND),
+        ("decay", ends.decay_strain, END, END_BAR, slice(-_EXTRAPOLATED, None), _BEYOND),
     )
-    for name, value, noted, bar, part, step in ends:
+    for name, value, noted, bar, outermost, step in cases:
         root = float("nan") if value is None else value
         beyond = (strain[0] if step < 0 else strain[-1]) + step
-        own, other = (extrapolated(strain[part], a, beyond) for a in amplitudes[part].T)
+        own, other = (extrapolated(strain[outermost], a, beyond) for a in amplitudes[outermost].T)
         rows.append([name, f"{root:.5f}", f"{noted:.4f}", f"{own:.5f}", f"{other:.5f}"])
         same = f"the same polynomial through {_EXTRAPOLATED} points of both, extrapolated to A = 0"
         smooth = f"A^2 is smooth: polynomial through {_EXTRAPOLATED} points of the data"
@@ -146,7 +146,7 @@ def _end_checks(points: list[Point], found: Stability) -> tuple[list[Check], Tab
     return checks, Table("Strains of birth and decay", columns, rows)
 
 
-def _table(points: list[Point], slopes: Array) -> Table:
+def _table(points: list[ComparedState], slopes: Array) -> Table:
     rows = []
     for p, slope in zip(points, slopes, strict=True):
         ratio = (
@@ -179,7 +179,7 @@ def _table(points: list[Point], slopes: Array) -> Table:
     return Table("Point by point", columns, rows)
 
 
-def _plot(points: list[Point], path: Path) -> None:
+def _plot(points: list[ComparedState], path: Path) -> None:
     values = np.array([[p.strain, *p[2:]] for p in points if p.status == "wrinkled"]).T
     strain, amplitude, width, force, other, other_width, other_force = values
     with style.applied():
@@ -205,39 +205,63 @@ def _plot(points: list[Point], path: Path) -> None:
 def quick() -> list[Check]:
     """Return the comparison at two strains."""
     data = pd.read_csv(DATA, comment="#")
-    points = compare(sheet(), data[data.eps.isin(_QUICK)])
+    points = compare(sheet_of_the_data(), data[data.eps.isin(_QUICK)])
     return _checks(points, np.zeros(len(points)))
 
 
-def run(output: Path | str) -> None:
-    """Write the group: amplitude, width and force at every strain of the data, birth and decay."""
-    output = Path(output)
-    one = sheet()
-    points = compare(one, pd.read_csv(DATA, comment="#"))
-    slopes = _slopes(points)
-    ends, ends_table = _end_checks(points, one.stability())
-    checks = [*_checks(points, slopes), *ends]
-    _plot(points, output.with_name("independent.png"))
+def end_text(strain: float, here: bool, there: bool) -> str:
+    """Say whether both sheets are flat at the largest strain of the data.
+
+    Parameters
+    ----------
+    strain : float
+    here, there : bool
+        Whether the sheet of this library and that of the data are flat.
+    """
+    width = ", and the projected width is that of the planar state"
+    which = conclusion(here, "only the sheet computed here is", "only the sheet of the data is")
+    neither = conclusion(here or there, which, "neither sheet is")
+    both = f"both sheets are flat{width}"
+    return f"At eps = {strain:g} {conclusion(here and there, both, f'{neither} flat')}."
+
+
+def _text(points: list[ComparedState], ends: list[Check]) -> str:
     inside = [p for p in points if INSIDE[0] <= p.strain <= INSIDE[1]]
     differences = [abs(c.value - c.expected) for c in ends if c.name.endswith("data's A^2")]
     worst = max(abs(p.amplitude / p.other_amplitude - 1.0) for p in inside)
-    text = (
+    last = points[-1]
+    flat = (last.status == "flat", last.other_amplitude == 0.0)
+    return (
         f"`{DATA.as_posix()}` holds states of the latex sheet from an independent Kirchhoff-Love "
         f"code (cubic B-splines, 20 x 48 elements on the quarter) with the bending law "
         f"`fixed-thickness`. The same law here, default mesh, antisymmetric. For {INSIDE[0]:g} <= "
         f"eps <= {INSIDE[1]:g} the largest difference of A/t is {100 * worst:.2f}%.\n\n"
-        f"Near birth and decay A goes to zero like a square root and dA/deps grows without limit: "
-        f"a difference of {STRAIN_DIGITS:g} in the strain of birth or decay is a difference "
-        f"{STRAIN_DIGITS:g} dA/deps in A, which is added to the tolerance outside of that range. "
-        f"At eps = {points[-1].strain:g} both sheets are flat, and the projected width is that of "
-        f"the planar state.\n\n"
+        f"Near birth and decay A is expected to go to zero like a square root, so that dA/deps "
+        f"grows without limit: a difference of {STRAIN_DIGITS:g} in the strain of birth or decay "
+        f"is a difference {STRAIN_DIGITS:g} dA/deps in A, which is added to the tolerance outside "
+        f"of that range. {end_text(last.strain, *flat)}\n\n"
         f"The strains of birth and decay, roots of tau_1 = t, are compared with what is noted in "
         f"the header of the data, and with where the polynomial through the outermost "
         f"{_EXTRAPOLATED} values of the data's A^2 vanishes: this differs by {differences[0]:.0e} "
         f"at birth and {differences[1]:.0e} at decay."
     )
+
+
+def run(output: AnyPath) -> None:
+    """Write the group: amplitude, width and force at every strain of the data, birth and decay."""
+    output = Path(output)
+    sheet = sheet_of_the_data()
+    points = compare(sheet, pd.read_csv(DATA, comment="#"))
+    slopes = _slopes(points)
+    ends, ends_table = _end_checks(points, sheet.stability())
+    _plot(points, output.with_name("independent.png"))
     plots = [("independent.png", "Amplitude, and relative differences of A/t, width and force.")]
     group = Group(
-        "independent", "Independent data", text, checks, [_table(points, slopes), ends_table], plots
+        "independent",
+        "Independent data",
+        _text(points, ends),
+        [*_checks(points, slopes), *ends],
+        [_table(points, slopes), ends_table],
+        plots,
     )
     write(group, output)

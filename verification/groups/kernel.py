@@ -1,7 +1,5 @@
 """Group 1: energy, residual and tangent belong together, and rigid motions cost nothing."""
 
-from pathlib import Path
-
 import numpy as np
 
 from verification.checks import Check, Group, Table, write
@@ -20,7 +18,7 @@ from verification.tools.consistency import (
     rigid_errors,
     states,
 )
-from verification.tools.problem import Sheet
+from verification.tools.problem import LoadedSheet
 from wrinklestudy.equilibrium import flat, modes
 from wrinklestudy.equilibrium.flat import MembraneProblem
 from wrinklestudy.equilibrium.problem import PlateProblem
@@ -30,6 +28,7 @@ from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics import laws
 from wrinklestudy.mechanics.laws import Law
 from wrinklestudy.mechanics.section import Section
+from wrinklestudy.typing import AnyPath
 from wrinklestudy.vocabulary import BENDING_LAWS
 
 # Laws and the principal stretches of the states; SVK has no thickness left beyond its own.
@@ -52,9 +51,9 @@ def _quarter_errors() -> list[tuple[str, float, float, float]]:
         ("flat quarter, first guess", *membrane_errors(membrane, guess[membrane.assembler.free]))
     ]
     state = flat.solve(space, law, strain)
-    found = modes.critical_modes(state, count=3)
-    seed = seed_position(state, found, seeds(found, thickness)[0])
-    problem = PlateProblem(state, found, thickness)
+    critical = modes.critical_modes(state, count=3)
+    seed = seed_position(state, critical, seeds(critical, thickness)[0])
+    problem = PlateProblem(state, critical, thickness)
     return [*rows, ("wrinkled quarter, seed", *plate_errors(problem, seed[problem.assembler.free]))]
 
 
@@ -77,7 +76,7 @@ def _case(
     """Return checks and the row of the table for a law with a bending law."""
     space = Space(make_grid(2.0, settings=CELLS))
     start = curved(space)
-    problem = Sheet(space, section, np.ones(start.shape, dtype=bool), start)
+    problem = LoadedSheet(space, section, np.ones(start.shape, dtype=bool), start)
     points = point_errors(section, states(stretches))
     assembled = plate_errors(problem, start.ravel())
     rigid = (*rigid_errors(section, space), *at_rest(section, space))
@@ -128,7 +127,7 @@ def quick() -> list[Check]:
     return checks
 
 
-def run(output: Path | str) -> None:
+def run(output: AnyPath) -> None:
     """Write the group: consistency of energy, residual and tangent; rigid motions."""
     checks, rows = _all_cases()
     quarter = _quarter_errors()

@@ -1,26 +1,36 @@
-"""Group 5: states depend neither on the seed nor on the path, and wrinkles come without a jump."""
+"""Group 5: whether states depend on seed or path, and whether wrinkles come without a jump."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 
+from verification.checks import Check, Group, conclusion, write
 from verification.tools import seeding, tracing
-from verification.checks import Check, Group, write
-from verification.tools.seeding import SIZES, Found, minima
-from verification.tools.sheets import LATEX, PARITIES, THICKNESS, parts, planar_state, quarter, wrinkled
+from verification.tools.seeding import AGREE, SIZES, SeededMinima, minima
+from verification.tools.sheets import (
+    LATEX,
+    PARITIES,
+    THICKNESS,
+    planar_state,
+    quarter,
+    solved,
+    wrinkled,
+)
 from verification.tools.tracing import MESH, STARTS, Landau, Traced, landau, slopes, traced
 from wrinklestudy.equilibrium import continuation, flat, stability
 from wrinklestudy.equilibrium.planar import PlanarSettings
 from wrinklestudy.equilibrium.planar import solve as solve_planar
 from wrinklestudy.study.figures import style
+from wrinklestudy.typing import AnyPath
 
 THIN, THIN_MESH, THIN_STRAIN = 5.0e-4, (12, 24), 0.1
 SEED_STRAINS = (0.06, 0.12, 0.3)
 
 
-def from_seeds() -> list[Found]:
+def from_seeds() -> list[SeededMinima]:
     """Return the minima from many seeds of the default and of a thinner sheet."""
-    found = []
+    cases = []
     for mesh, thickness, strains, sizes, count in (
         (MESH, THICKNESS, SEED_STRAINS, SIZES, 8),
         (THIN_MESH, THIN, (THIN_STRAIN,), (1.0,), 16),
@@ -30,24 +40,24 @@ def from_seeds() -> list[Found]:
             known = flat.solve(space, LATEX.law, strain)
             for parity in PARITIES:
                 planar = planar_state(known, LATEX, PlanarSettings(parity=parity, modes=count))
-                found.append(minima(planar, thickness, sizes))
-    return found
+                cases.append(minima(planar, thickness, sizes))
+    return cases
 
 
 def quick() -> list[Check]:
     """Return the cheap checks: a few seeds and a short branch on a coarse mesh."""
     space = quarter(8, 14)
     planar = solve_planar(space, LATEX, 0.12)
-    found = minima(planar, THICKNESS, (1.0,))
+    seeded = minima(planar, THICKNESS, (1.0,))
     start = wrinkled(planar, THICKNESS)
     short = continuation.trace(
         start, (0.0, 0.2), options=continuation.ContinuationOptions(step=0.4, max_points=3)
     )
     last, position = short.points[-1], short.positions[-1]
     alone = wrinkled(solve_planar(space, LATEX, last.strain), THICKNESS)
-    there = parts(alone).position
+    there = solved(alone).position
     return [
-        *seeding.checks(found),
+        *seeding.checks(seeded),
         Check(
             f"short branch to strain {last.strain:.4f}: energy",
             last.energy,
@@ -95,53 +105,99 @@ def _plot(runs: list[Traced], rows: dict[str, list[Landau]], path: Path) -> None
         style.save(figure, path)
 
 
-def _text(runs: list[Traced], rows: dict[str, list[Landau]], found: list[Found]) -> str:
-    thin = [f for f in found if f.thickness == THIN]
-    stiff = [row.quartic for group in rows.values() for row in group]
-    down, up = rows["downward"], rows["upward"]
-    rise, fall = (slopes(group)[0] for group in (down, up))
-    kinds = ["supercritical" if inside > 0 else "subcritical" for inside in (rise, -fall)]
-    minima_found = sorted({f.distinct for f in found})
+def minima_text(seeded: Sequence[SeededMinima]) -> str:
+    """Say how many minima the seeds lead to, and how far the two parities are apart."""
+    counts = sorted({case.distinct for case in seeded})
+    gains = [case.gains[0] for case in seeded]
+    # both parities of a sheet stand side by side
+    apart = [abs(a / b - 1.0) for a, b in zip(gains[::2], gains[1::2], strict=True)]
     return (
-        f"Each state is found from its flat state alone. From {sum(len(f.states) for f in found)} "
-        f"seeds (single modes of several sizes, random mixes) at {len(found)} sheets and strains, "
-        f"the number of different minima within a parity is "
-        f"{' or '.join(map(str, minima_found))}; at t/W = {THIN:g} the flat sheet has "
-        f"{' and '.join(str(f.unstable) for f in thin)} unstable modes. The two parities are two "
-        "states of nearly the same energy: the table lists both, and the group on the whole sheet "
-        "says which is stable.\n\n"
-        f"A continuation upward from strain {STARTS['upward']:g} and one downward from "
-        f"{STARTS['downward']:g} pass through the same states as those found one by one. The "
-        f"special points on them are {'; '.join(k for r in runs for k, _ in r.branch.special)}. "
-        f"Birth is {kinds[0]}, decay {kinds[1]}: A^2 is linear in the strain with slope "
-        f"{rise:.3g} and {fall:.3g} (in t^2), as the reduced energy says, whose quartic "
-        f"coefficient G_11 lies between {min(stiff):.2e} and {max(stiff):.2e}: positive means that "
-        "wrinkles grow from zero and nothing jumps. Meshes: "
-        f"{MESH[0]} x {MESH[1]} and {THIN_MESH[0]} x {thin[0].planar.grid.cells[1]} cells (the "
-        "question does not need finer ones)."
+        f"From {sum(len(case.states) for case in seeded)} seeds (single modes of several sizes, "
+        f"random mixes) at {len(seeded)} sheets and strains, the number of different minima within "
+        f"a parity is {' or '.join(map(str, counts))}: "
+        + conclusion(
+            counts == [1],
+            "the state does not depend on the seed.",
+            "the state depends on the seed.",
+        )
+        + f" The energies that the two parities save differ by {max(apart):.0e} at most: the table "
+        "lists both, and the group on the whole sheet says which is stable."
     )
 
 
-def run(output: Path) -> None:
+def same_text(runs: Sequence[Traced]) -> str:
+    """Say whether the branches pass through the states that were found one by one."""
+    worst = max(max(run.energies, run.amplitudes) for run in runs)
+    return (
+        conclusion(
+            worst <= AGREE,
+            "pass through the same states as those found one by one",
+            "do not pass through the states found one by one",
+        )
+        + f" (largest difference of energies, relative, and of A/t: {worst:.0e})"
+    )
+
+
+def onset_text(rise: float, fall: float, stiff: Sequence[float], folds: int) -> str:
+    """Say how wrinkles come and go.
+
+    Parameters
+    ----------
+    rise, fall : float
+        Slopes of (A/t)^2 over strain at birth and at decay.
+    stiff : sequence of float
+        Quartic coefficients near both.
+    folds : int
+        On the branches.
+    """
+    kinds = [conclusion(s > 0.0, "supercritical", "subcritical") for s in (rise, -fall)]
+    smooth = min(stiff) > 0.0 and folds == 0 and rise > 0.0 > fall
+    return (
+        f"Birth is {kinds[0]}, decay {kinds[1]}: the slope of A^2 over the strain is {rise:.3g} "
+        f"and {fall:.3g} (in t^2). The quartic coefficient G_11 of the reduced energy lies between "
+        f"{min(stiff):.2e} and {max(stiff):.2e}, and the branches have {folds} folds: "
+        + conclusion(
+            smooth,
+            "wrinkles grow from zero and nothing jumps.",
+            "wrinkles may come or go with a jump.",
+        )
+    )
+
+
+def _text(runs: list[Traced], rows: dict[str, list[Landau]], seeded: Sequence[SeededMinima]) -> str:
+    thin = [case for case in seeded if case.thickness == THIN]
+    stiff = [row.quartic for group in rows.values() for row in group]
+    rise, fall = (slopes(rows[name])[0] for name in ("downward", "upward"))
+    special = [kind for run in runs for kind, _ in run.branch.special]
+    return (
+        f"Each state is found from its flat state alone. {minima_text(seeded)} At t/W = {THIN:g} "
+        f"the flat sheet has {' and '.join(str(case.unstable) for case in thin)} unstable modes."
+        "\n\n"
+        f"A continuation upward from strain {STARTS['upward']:g} and one downward from "
+        f"{STARTS['downward']:g} {same_text(runs)}. The special points on them are "
+        f"{'; '.join(special)}. {onset_text(rise, fall, stiff, special.count('fold'))} Meshes: "
+        f"{MESH[0]} x {MESH[1]} and {THIN_MESH[0]} x {thin[0].planar.grid.cells[1]} cells."
+    )
+
+
+def run(output: AnyPath) -> None:
     """Compute the group and write it with its plot."""
     output = Path(output)
-    runs, found = [traced(name) for name in STARTS], from_seeds()
-    rows = {one.name: landau(one) for one in runs}
+    runs, seeded = [traced(name) for name in STARTS], from_seeds()
+    rows = {branch.name: landau(branch) for branch in runs}
     curve = stability.critical_curve(quarter(*MESH), LATEX, PlanarSettings())
     ends = stability.find(curve, THICKNESS)
     roots = {"upward": ends.decay_strain, "downward": ends.birth_strain}
     checks: list[Check] = []
-    for one in runs:
-        root = roots[one.name]
+    for branch in runs:
+        root = roots[branch.name]
         expected = float("nan") if root is None else root
-        checks += tracing.checks(one, expected, rows[one.name])
-    checks += [check for one in found for check in seeding.checks(one)]
+        checks += tracing.checks(branch, expected, rows[branch.name])
+    checks += [check for case in seeded for check in seeding.checks(case)]
     plot = output.with_name("paths_branches.png")
     _plot(runs, rows, plot)
-    tables = (tracing.branch_table(runs), tracing.landau_table(rows), seeding.table(found))
+    tables = (tracing.branch_table(runs), tracing.landau_table(rows), seeding.table(seeded))
     caption = "Branches upward and downward; squares of the amplitude at birth and decay"
-    title = "No dependence on path or seed"
-    write(
-        Group("paths", title, _text(runs, rows, found), checks, tables, ((plot.name, caption),)),
-        output,
-    )
+    text = _text(runs, rows, seeded)
+    group = Group("paths", "Paths and seeds", text, checks, tables, ((plot.name, caption),))
+    write(group, output)

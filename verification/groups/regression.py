@@ -1,4 +1,4 @@
-"""Group 7: the numbers stay, and neither repeats nor threads nor the factorisation change them."""
+"""Group 7: whether numbers stay, and what repeats, threads and factorisation do to them."""
 
 import json
 import os
@@ -11,10 +11,11 @@ import numpy as np
 
 from verification.checks import Check, Group, Table, write
 from verification.golden import DEFAULT, DISCRETISATION, FINER, Golden, constants, numbers, read
-from verification.tools.sheets import LATEX, THICKNESS, parts
+from verification.tools.sheets import LATEX, THICKNESS, solved
 from wrinklestudy.fem.grid import MeshSettings
 from wrinklestudy.sheet import Sheet
 from wrinklestudy.study.figures import style
+from wrinklestudy.typing import AnyPath
 
 GOLDEN = Path("verification/golden.csv")
 MESH, STRAIN = (12, 18), 0.12
@@ -43,17 +44,18 @@ class Repeat(NamedTuple):
 def fingerprint(mesh: tuple[int, int]) -> list[float]:
     """Return numbers of a wrinkled state in all their digits: `_NAMES`, then |w| at every node."""
     state = Sheet(2.0, THICKNESS, LATEX, mesh=MeshSettings(*mesh)).solve(STRAIN)
-    found, measures, modes = state.equilibrium, state.measures, state.equilibrium.planar.modes
+    equilibrium, measures = state.equilibrium, state.measures
+    modes = equilibrium.planar.modes
     if measures is None or modes is None:
-        raise ArithmeticError(f"{state.status} {found.reason}")
-    _, space, position = parts(found)
+        raise ArithmeticError(f"{state.status} {equilibrium.reason}")
+    _, space, position = solved(equilibrium)
     deflection = np.abs(space.nodes_from_field(position)[2, 0]).ravel()
     return [
-        found.energy,
+        equilibrium.energy,
         measures.amplitude / THICKNESS,
         measures.phi_squared,
         measures.projected_width,
-        found.nominal_stress,
+        equilibrium.nominal_stress,
         modes.critical_thickness,
         *(deflection / THICKNESS).tolist(),
     ]
@@ -103,16 +105,16 @@ def repeats(mesh: tuple[int, int]) -> list[Repeat]:
     ]
 
 
-def _repeat_checks(found: list[Repeat]) -> list[Check]:
+def _repeat_checks(repeated: list[Repeat]) -> list[Check]:
     return [
         Check(
-            f"{one.name}: largest difference",
-            one.difference,
-            one.bound,
+            f"{repeat.name}: largest difference",
+            repeat.difference,
+            repeat.bound,
             kind="at most",
-            reason=one.reason,
+            reason=repeat.reason,
         )
-        for one in found
+        for repeat in repeated
     ]
 
 
@@ -133,17 +135,17 @@ def _golden_checks(now: dict[str, float], known: dict[str, Golden]) -> list[Chec
 def _golden_table(now: dict[str, float], known: dict[str, Golden]) -> Table:
     rows = []
     for name, value in now.items():
-        one = known.get(name, Golden(float("nan"), float("nan"), ""))
-        moved = (value - one.value) / one.tolerance
+        kept = known.get(name, Golden(float("nan"), float("nan"), ""))
+        moved = (value - kept.value) / kept.tolerance
         rows.append(
             [
                 name,
                 f"{value:.8g}",
-                f"{one.value:.8g}",
-                f"{one.tolerance:.1e}",
-                f"{one.tolerance / abs(one.value):.1e}",
+                f"{kept.value:.8g}",
+                f"{kept.tolerance:.1e}",
+                f"{kept.tolerance / abs(kept.value):.1e}",
                 f"{moved:.1e}",
-                one.basis,
+                kept.basis,
             ]
         )
     return Table(
@@ -154,8 +156,8 @@ def _golden_table(now: dict[str, float], known: dict[str, Golden]) -> Table:
 
 
 def _plot(known: dict[str, Golden], path: Path) -> None:
-    meshed = {name: one for name, one in known.items() if one.basis == DISCRETISATION}
-    relative = sorted((one.tolerance / abs(one.value), name) for name, one in meshed.items())
+    meshed = {name: kept for name, kept in known.items() if kept.basis == DISCRETISATION}
+    relative = sorted((kept.tolerance / abs(kept.value), name) for name, kept in meshed.items())
     with style.applied():
         figure, axes = style.panel(style.WIDE, 11.0)
         axes.barh([name for _, name in relative], [part for part, _ in relative], color=style.BLUE)
@@ -166,11 +168,11 @@ def _plot(known: dict[str, Golden], path: Path) -> None:
         style.save(figure, path)
 
 
-def _text(now: dict[str, float], known: dict[str, Golden], found: list[Repeat]) -> str:
-    moved = max(abs(now[n] - one.value) / one.tolerance for n, one in known.items() if n in now)
-    meshed = [one for one in known.values() if one.basis == DISCRETISATION]
-    relative = [one.tolerance / abs(one.value) for one in meshed]
-    differences = "; ".join(f"{one.name}: {one.difference:.1e}" for one in found)
+def _text(now: dict[str, float], known: dict[str, Golden], repeated: list[Repeat]) -> str:
+    moved = max(abs(now[n] - kept.value) / kept.tolerance for n, kept in known.items() if n in now)
+    meshed = [kept for kept in known.values() if kept.basis == DISCRETISATION]
+    relative = [kept.tolerance / abs(kept.value) for kept in meshed]
+    differences = "; ".join(f"{repeat.name}: {repeat.difference:.1e}" for repeat in repeated)
     return (
         f"{len(known)} numbers of the {DEFAULT[0]} x {DEFAULT[1]} mesh are kept in "
         f"`{GOLDEN.as_posix()}` (`python -m verification.golden FILE` makes it anew). "
@@ -183,10 +185,10 @@ def _text(now: dict[str, float], known: dict[str, Golden], found: list[Repeat]) 
     )
 
 
-def run(output: Path) -> None:
+def run(output: AnyPath) -> None:
     """Compute the group and write it with its plot; reads `GOLDEN` from the project's folder."""
     output = Path(output)
-    known, found = read(GOLDEN), repeats(MESH)
+    known, repeated = read(GOLDEN), repeats(MESH)
     now = numbers(DEFAULT) | constants()
     gone = sorted(set(known) - set(now))
     checks = [
@@ -198,14 +200,14 @@ def run(output: Path) -> None:
             kind="at most",
             reason=", ".join(gone) or "each must be compared",
         ),
-        *_repeat_checks(found),
+        *_repeat_checks(repeated),
     ]
     plot = output.with_name("regression_tolerances.png")
     _plot(known, plot)
     group = Group(
         "regression",
         "Regression and determinism",
-        _text(now, known, found),
+        _text(now, known, repeated),
         checks,
         (_golden_table(now, known),),
         ((plot.name, "Tolerances: the measured discretisation error of each number"),),

@@ -1,4 +1,4 @@
-"""Group 4: wrinkled states are stable in the whole sheet, or sliding the pattern upsets them."""
+"""Group 4: whether wrinkled states are stable in the whole sheet, sliding included."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -6,17 +6,28 @@ from pathlib import Path
 
 import numpy as np
 
+from verification.checks import Check, Group, Table, conclusion, write
 from verification.tools import mirrors
-from verification.checks import Check, Group, Table, write
 from verification.tools.mirrors import SLIDING, name
 from verification.tools.sheets import LATEX, PARITIES, THICKNESS, amplitude, energy_below
-from verification.tools.sliding import FINER, MESH, SPECTRA, STRAINS, Pair, Study, study
+from verification.tools.sliding import (
+    FINER,
+    MESH,
+    SPECTRA,
+    STRAINS,
+    Pair,
+    ParityPairs,
+    parity_pairs,
+)
 from wrinklestudy.equilibrium.mirror_stability import CLASSES, ClassStability
 from wrinklestudy.fem.grid import MeshSettings
 from wrinklestudy.study.figures import style
+from wrinklestudy.typing import AnyPath
 
 DIFFERENCES = (0.026, 0.2)  # energies differ by more than their rounding between these strains
 DEFAULT_ACROSS = MeshSettings().cells_across
+EXCHANGE_BAR = 2e-3  # of a strain of exchange, between the two finest meshes
+_NEGLIGIBLE = 1e-4  # of the energy saved: less than any experiment could place a pattern by
 _SHEET_METRES = 0.14  # W of the sheet of Panaitescu et al.
 
 
@@ -31,17 +42,17 @@ def quick() -> list[Check]:
     return mirrors.checks()
 
 
-def _others(done: Study, which: int) -> list[ClassStability]:
+def _others(done: ParityPairs, which: int) -> list[ClassStability]:
     """Return the stability of one parity outside sliding, at all strains."""
     return [c for pair in done.pairs for c in pair.classes[which] if c[:2] != SLIDING]
 
 
-def _single(done: Study) -> int:
+def _single(done: ParityPairs) -> int:
     """Return at how many strains exactly one parity is stable to sliding."""
     return sum(sum(c.unstable for c in pair.sliding) == 1 for pair in done.pairs)
 
 
-def _stability_checks(done: Study) -> list[Check]:
+def _stability_checks(done: ParityPairs) -> list[Check]:
     others = [_others(done, k) for k in (0, 1)]
     stiffest = [c.softest for group in others for c in group if not np.isnan(c.softest)]
     cells = f"{MESH[0]} x {MESH[1]} cells"
@@ -73,7 +84,7 @@ def _stability_checks(done: Study) -> list[Check]:
     ]
 
 
-def _sliding_checks(done: Study) -> list[Check]:
+def _sliding_checks(done: ParityPairs) -> list[Check]:
     ratios = [abs(sum(p.softest)) / max(map(abs, p.softest)) for p in done.pairs]
     low, high = DIFFERENCES
     errors = [
@@ -107,15 +118,15 @@ def _sliding_checks(done: Study) -> list[Check]:
         ),
         Check(
             f"exchange of stability: {MESH[1]} against {FINER[1]} cells across, largest difference",
-            float(np.max([abs(a - f) for a, _, f in done.roots])),
-            2e-3,
+            _shift(done),
+            EXCHANGE_BAR,
             kind="at most",
             reason="converged with the mesh",
         ),
     ]
 
 
-def _table(done: Study) -> Table:
+def _table(done: ParityPairs) -> Table:
     rows = []
     for pair in done.pairs:
         gain = energy_below(pair.states[0])
@@ -144,7 +155,7 @@ def _table(done: Study) -> Table:
     )  # fmt: skip
 
 
-def _mesh_table(done: Study) -> Table:
+def _mesh_table(done: ParityPairs) -> Table:
     meshes: dict[tuple[int, int], Sequence[Pair]] = {**done.coarser, MESH: done.pairs}
     rows = []
     for k, strain in enumerate(STRAINS):
@@ -156,7 +167,7 @@ def _mesh_table(done: Study) -> Table:
     return Table("Sliding on coarser meshes", ["strain", *columns], rows)
 
 
-def _roots_table(done: Study) -> Table:
+def _roots_table(done: ParityPairs) -> Table:
     return Table(
         "Strains at which the two parities exchange stability",
         [*(f"{p}, {MESH[0]} x {MESH[1]}" for p in PARITIES), f"{FINER[0]} x {FINER[1]}"],
@@ -164,7 +175,7 @@ def _roots_table(done: Study) -> Table:
     )
 
 
-def _pinned(done: Study) -> dict[tuple[int, int], list[float]]:
+def _pinned(done: ParityPairs) -> dict[tuple[int, int], list[float]]:
     """Return for each coarser mesh the strains whose signs differ from those of the fine mesh."""
     return {
         mesh: [
@@ -176,7 +187,7 @@ def _pinned(done: Study) -> dict[tuple[int, int], list[float]]:
     }
 
 
-def _plot(done: Study, path: Path) -> None:
+def _plot(done: ParityPairs, path: Path) -> None:
     with style.applied():
         figure, axes = style.panel(style.WIDE, 8.0)
         meshes: dict[tuple[int, int], Sequence[Pair]] = {**done.coarser, MESH: done.pairs}
@@ -200,7 +211,82 @@ def _plot(done: Study, path: Path) -> None:
         style.save(figure, path)
 
 
-def _text(done: Study) -> str:
+def windows_text(stable: Sequence[str], single: int, count: int) -> str:
+    """Say where each parity is stable, and whether always exactly one is.
+
+    Parameters
+    ----------
+    stable : (str, str)
+        Ranges of strain of both parities; empty where there is none.
+    single, count : int
+        Strains at which exactly one is stable, and all strains.
+    """
+    places = [
+        conclusion(bool(where), f"stable in the whole sheet for strains {where}", "nowhere stable")
+        for where in stable
+    ]
+    return (
+        conclusion(
+            single == count,
+            f"Exactly one parity is stable there at all {count} strains.",
+            f"Exactly one parity is stable there at only {single} of {count} strains.",
+        )
+        + f" **Antisymmetric: {places[0]}. Symmetric: {places[1]}.**"
+    )
+
+
+def barrier_text(relative: Sequence[float], strain: float, joules: float) -> str:
+    """Say how flat the energy is to sliding, and what that means for an experiment."""
+    return (
+        f"the two parities differ by at most {max(relative):.0e} of the energy that the wrinkles "
+        f"save from strain {strain:g} on, {min(relative):.0e} at the least; for the sheet of the "
+        f"paper the largest barrier is {joules:.0e} J. "
+        + conclusion(
+            max(relative) < _NEGLIGIBLE,
+            "In an experiment imperfections, not this energy, will place the pattern (an "
+            "inference: no imperfection was computed).",
+            "Whether imperfections or this energy place the pattern in an experiment remains open.",
+        )
+    )
+
+
+def mesh_text(
+    pinned: dict[tuple[int, int], list[float]], default: Sequence[float], shift: float
+) -> str:
+    """Say what coarse meshes can tell of sliding, and whether the exchanges have converged.
+
+    Parameters
+    ----------
+    pinned : dict
+        Of each coarser mesh the strains whose signs differ from those of the finest.
+    default : sequence of float
+        The same of the mesh with as many cells across as the default mesh has.
+    shift : float
+        Largest change of a strain of exchange from `MESH` to `FINER`.
+    """
+    listed = "; ".join(
+        f"{a} x {b}: {', '.join(f'{e:g}' for e in strains) or 'none'}"
+        for (a, b), strains in pinned.items()
+    )
+    return (
+        conclusion(
+            any(pinned.values()),
+            "Coarse meshes pin the pattern to their cells by more than the parities differ.",
+            "The coarser meshes give the same signs.",
+        )
+        + f" Strains at which a sign differs from that of the {MESH[0]} x {MESH[1]} mesh: "
+        f"{listed}. The default mesh has {DEFAULT_ACROSS} cells across: "
+        + conclusion(
+            bool(default),
+            "it finds the states, but cannot tell at these strains which is stable to sliding.",
+            "it tells which of the states is stable to sliding.",
+        )
+        + f" From {MESH[1]} to {FINER[1]} cells across the exchanges move by {shift:.0e} at most: "
+        + conclusion(shift <= EXCHANGE_BAR, "they have converged.", "they have not converged.")
+    )
+
+
+def _text(done: ParityPairs) -> str:
     sliding = [abs(mu) for pair in done.pairs for mu in pair.softest]
     late = [p for p in done.pairs if p.strain >= SPECTRA[0]]
     relative = [abs(p.predicted[0]) / energy_below(p.states[0]) for p in late]
@@ -209,38 +295,31 @@ def _text(done: Study) -> str:
         for k in (0, 1)
     ]
     count = sum(c.unstable for k in (0, 1) for c in _others(done, k))
-    barrier = max(abs(p.predicted[0]) for p in late) * 4 * LATEX.shear_modulus * _SHEET_METRES**3
-    pinned = "; ".join(
-        f"{a} x {b}: {', '.join(f'{e:g}' for e in strains) or 'none'}"
-        for (a, b), strains in _pinned(done).items()
-    )
+    joules = max(abs(p.predicted[0]) for p in late) * 4 * LATEX.shear_modulus * _SHEET_METRES**3
+    pinned = _pinned(done)
+    default = [e for (_, across), rows in pinned.items() if across == DEFAULT_ACROSS for e in rows]
     return (
         "The tangent of a state splits into four classes of perturbations that keep or break its "
         f"two mirrors. In three of them the states of {len(done.pairs)} strains have {count} "
         "unstable directions, both parities together. The fourth, which keeps x and breaks y, "
         "holds the slide of the pattern across the sheet; its eigenvalue "
         f"(1 is the bending stiffness of the flat state) lies between {min(sliding):.0e} and "
-        f"{max(sliding):.0e}. Exactly one parity is stable there at {_single(done)} of "
-        f"{len(done.pairs)} strains. **Antisymmetric: stable in the whole sheet for strains "
-        f"{stable[0]}. Symmetric: {stable[1]}.** A parity that is unstable slides toward the "
-        "other; within the quarter model both are minima.\n\n"
-        "How flat the energy is to sliding: the two parities differ by at most "
-        f"{max(relative):.0e} of the energy that the wrinkles save from strain {late[0].strain:g} "
-        f"on, {min(relative):.0e} at the least; for the sheet of the paper the largest barrier is "
-        f"{barrier:.0e} J. In an experiment imperfections, not this energy, will place the pattern "
-        "(an inference: no imperfection was computed).\n\n"
-        f"The differences are smaller than the discretisation error of coarse meshes, which pin "
-        "the pattern to their cells. Strains at which a sign differs from that of the "
-        f"{MESH[0]} x {MESH[1]} mesh: {pinned}. The default mesh has {DEFAULT_ACROSS} cells "
-        "across: it finds the states, but cannot tell at these strains which is stable to sliding. "
-        f"The exchanges are converged at {MESH[1]} cells across."
+        f"{max(sliding):.0e} in size. {windows_text(stable, _single(done), len(done.pairs))} "
+        "All of these states are minima within the quarter model, where sliding is excluded.\n\n"
+        f"How flat the energy is to sliding: {barrier_text(relative, late[0].strain, joules)}\n\n"
+        f"{mesh_text(pinned, default, _shift(done))}"
     )
 
 
-def run(output: Path) -> None:
+def _shift(done: ParityPairs) -> float:
+    """Return by how much the strains of exchange change on the finer mesh."""
+    return float(np.max([abs(a - f) for a, _, f in done.roots]))
+
+
+def run(output: AnyPath) -> None:
     """Compute the group and write it with its plot."""
     output = Path(output)
-    done = study()
+    done = parity_pairs()
     checks = [*quick(), *_stability_checks(done), *_sliding_checks(done)]
     plot = output.with_name("whole_sheet_sliding.png")
     _plot(done, plot)

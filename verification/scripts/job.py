@@ -1,4 +1,7 @@
-"""Whether all checks passed and all mutations were caught."""
+"""Every job of the verification: ``run`` of the module that the rule names.
+
+The function gets the named inputs and outputs of the rule as arguments.
+"""
 
 from typing import TYPE_CHECKING
 
@@ -8,10 +11,7 @@ if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
 
 with log_to(snakemake.log[0]):
-    from verification import gate
+    from importlib import import_module
 
-    gate.run(
-        groups=list(snakemake.input.groups),
-        output=snakemake.output[0],
-        mutations=snakemake.input.mutations,
-    )
+    files = {**dict(snakemake.input.items()), **dict(snakemake.output.items())}
+    import_module(snakemake.params.module).run(**files)

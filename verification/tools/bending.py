@@ -6,13 +6,13 @@ import numpy as np
 from scipy import linalg, optimize, special
 from skfem import Basis, LinearForm
 
-from verification.tools.problem import SLOPE_X, SLOPE_Y, VALUE, Mask, Sheet, affine, held, nodes
+from verification.tools.problem import SLOPE_X, SLOPE_Y, VALUE, LoadedSheet, affine, held, nodes
 from wrinklestudy.fem.element import ElementQuadHermite
 from wrinklestudy.fem.grid import Grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics.laws import Law
 from wrinklestudy.mechanics.section import Section
-from wrinklestudy.typing import Array
+from wrinklestudy.typing import Array, Mask
 from wrinklestudy.vocabulary import Bending
 
 STRIP_LENGTH = 2.0
@@ -53,7 +53,7 @@ def euler(law: Law, bending: Bending, thickness: float, cells: int) -> Buckling:
 
     def softest(strain: float) -> float:
         position = affine(space, 1.0 - strain, 1.0)
-        problem = Sheet(space, section, free, position)
+        problem = LoadedSheet(space, section, free, position)
         upper = problem.derivatives(position[free])[2].toarray()
         metric = problem.shift().toarray()
         full = [matrix + np.triu(matrix, 1).T for matrix in (upper, metric)]
@@ -62,7 +62,7 @@ def euler(law: Law, bending: Bending, thickness: float, cells: int) -> Buckling:
     guess = (2.0 * np.pi / STRIP_LENGTH) ** 2 * thickness**2 / 12.0
     strain = float(optimize.brentq(softest, 0.5 * guess, 2.0 * guess, xtol=1e-12 * guess))
     position = affine(space, 1.0 - strain, 1.0)
-    forces = Sheet(space, section, free, position).reactions(position[free])
+    forces = LoadedSheet(space, section, free, position).reactions(position[free])
     end = space.edge_dofs("clamp", ["u"])
     return Buckling(-2.0 * float(forces[0, end].sum()), strain)
 
@@ -123,7 +123,7 @@ def elastica(law: Law, bending: Bending, shortening: float, cells: int) -> Elast
     fixed = ~free
     fixed[:2] = False
     start[fixed] = np.where(np.abs(start[fixed]) < 1e-12, 0.0, start[fixed])
-    problem = Sheet(space, Section(law, STRIP_THICKNESS, bending), free, start)
+    problem = LoadedSheet(space, Section(law, STRIP_THICKNESS, bending), free, start)
     found = problem.solve()
     forces = problem.reactions(found[free])
     end = space.edge_dofs("clamp", ["u"])
@@ -152,5 +152,5 @@ def clamped_plate(law: Law, bending: Bending, cells: int) -> float:
     load = np.zeros((3, space.size))
     load[2] = pressure * LinearForm(lambda v, _: v).assemble(basis)
     section = Section(law, PLATE_THICKNESS, bending)
-    found = Sheet(space, section, free, affine(space, 1.0, 1.0), load).solve(rough=0.1)
+    found = LoadedSheet(space, section, free, affine(space, 1.0, 1.0), load).solve(rough=0.1)
     return float(space.nodes_from_field(found)[2, VALUE, 0, 0]) * rigidity / pressure

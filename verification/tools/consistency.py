@@ -7,9 +7,9 @@ import numpy as np
 from scipy import sparse
 from scipy.spatial.transform import Rotation
 
-from verification.tools.problem import VALUE, Sheet, nodes
+from verification.tools.problem import VALUE, LoadedSheet, nodes
 from wrinklestudy.equilibrium.flat import MembraneProblem
-from wrinklestudy.equilibrium.problem import PlateProblem
+from wrinklestudy.equilibrium.problem import PlateEnergy
 from wrinklestudy.fem.factorisation import multiply
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics import membrane, plate
@@ -158,7 +158,7 @@ def assembled_errors(
     return first, second, float(abs(crossed) / size)
 
 
-def plate_errors(problem: PlateProblem, start: Array) -> tuple[float, float, float]:
+def plate_errors(problem: PlateEnergy, start: Array) -> tuple[float, float, float]:
     """Return `assembled_errors` of a plate problem."""
     space, free = problem.assembler.space, problem.assembler.free
 
@@ -203,9 +203,9 @@ def rigid_errors(section: Section, space: Space) -> tuple[float, float, float]:
     before = curved(space)
     after = turn @ before + np.outer(SHIFT, one)
     everything = np.ones(before.shape, dtype=bool)
-    found = [Sheet(space, section, everything, position) for position in (before, after)]
     energies, residuals = [], []
-    for problem, position in zip(found, (before, after), strict=True):
+    for position in (before, after):
+        problem = LoadedSheet(space, section, everything, position)
         energy, residual, _ = problem.derivatives(position.ravel())
         energies.append(energy)
         residuals.append(residual.reshape(3, -1))
@@ -222,6 +222,6 @@ def at_rest(section: Section, space: Space) -> tuple[float, float]:
     """Return energy and largest residual per t of the undeformed sheet, moved rigidly."""
     turn = Rotation.from_rotvec(TURN if section.bending != "fvk" else (0, 0, 1)).as_matrix()
     position = turn @ space.coordinates
-    problem = Sheet(space, section, np.ones(position.shape, dtype=bool), position)
+    problem = LoadedSheet(space, section, np.ones(position.shape, dtype=bool), position)
     energy, residual, _ = problem.derivatives(position.ravel())
     return abs(energy) / section.thickness, float(np.abs(residual).max()) / section.thickness

@@ -34,7 +34,7 @@ MATERIALS: dict[str, tuple[Material, float]] = {
 POINTS, AMPLITUDE_POINTS = 16, 9
 
 
-class Curve(NamedTuple):
+class LawCurve(NamedTuple):
     """One material with one bending law."""
 
     material: str
@@ -52,7 +52,7 @@ class Curve(NamedTuple):
         return float(self.critical[at[0]]) if len(at) else float("nan")
 
 
-def curves(name: str) -> list[Curve]:
+def curves(name: str) -> list[LawCurve]:
     """Return tau_1 and A/t of one material for the three bending laws."""
     material, top = MATERIALS[name]
     space, coarse = quarter(*MESH), quarter(*AMPLITUDE_MESH)
@@ -65,7 +65,7 @@ def curves(name: str) -> list[Curve]:
                 known[bending].append((float(strain), modes.critical_thickness(state, bending)))
             except ArithmeticError:  # the law leaves no thickness there
                 continue
-    found = []
+    result = []
     for bending in BENDING_LAWS:
         curve = stability.critical_curve(space, material, PlanarSettings(bending))
         ends = stability.find(curve, THICKNESS, known[bending])
@@ -74,9 +74,9 @@ def curves(name: str) -> list[Curve]:
         stop = min(top, decay) if np.isfinite(decay) else top
         inside = _strains_between(birth, stop)
         sizes = np.array([_amplitude(coarse, material, e, bending) for e in inside])
-        strains_found, critical = table.T
-        found.append(Curve(name, bending, strains_found, critical, birth, decay, inside, sizes))
-    return found
+        sampled, critical = table.T
+        result.append(LawCurve(name, bending, sampled, critical, birth, decay, inside, sizes))
+    return result
 
 
 def _number(value: float | None) -> float:
@@ -96,7 +96,7 @@ def _amplitude(space: Space, material: Material, strain: float, bending: Bending
     )
 
 
-def softer(law: Curve, reference: Curve) -> list[tuple[float, float, float]]:
+def softer(law: LawCurve, reference: LawCurve) -> list[tuple[float, float, float]]:
     """Return strain, (tau of the reference / tau)^2 and the ratio of bending stiffness.
 
     tau^2 is stress over bending, so that the first ratio is that of the bending stiffness that the

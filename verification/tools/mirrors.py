@@ -10,9 +10,9 @@ from verification.tools.sheets import (
     PARITIES,
     THICKNESS,
     both_parities,
-    parts,
     planar_state,
     quarter,
+    solved,
 )
 from wrinklestudy.equilibrium import flat, mirror_stability
 from wrinklestudy.equilibrium.planar import PlanarSettings
@@ -40,7 +40,7 @@ def whole_sheet_inertia(state: Equilibrium) -> int:
 
     The state of the quarter is reflected into the other three; only the clamps hold.
     """
-    _, space, quarter_position = parts(state)
+    _, space, quarter_position = solved(state)
     grid = space.grid
     whole = Space(Grid(_mirrored(grid.x), _mirrored(grid.y)))
     nodes = space.nodes_from_field(quarter_position)
@@ -92,11 +92,11 @@ def checks() -> list[Check]:
     sheet = solve(planar[0], thick)
     for kind, other in zip(((True, True), SLIDING), planar, strict=True):
         squared = float("nan") if other.modes is None else float(other.modes.squared[0])
-        found = next(c for c in mirror_stability.classes(sheet) if c[:2] == kind)
+        stability = next(c for c in mirror_stability.classes(sheet) if c[:2] == kind)
         rows.append(
             Check(
                 f"flat sheet of t/W = {thick:g}, class ({name(kind)}): softest eigenvalue",
-                found.softest,
+                stability.softest,
                 1.0 - squared / thick**2,
                 1e-6,
                 reason="1 - (tau_1/t)^2, tau_1 of that parity from the flat state",

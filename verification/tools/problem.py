@@ -1,18 +1,15 @@
 """The plate problem of the library with boundary conditions of one's own and a dead load."""
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import sparse
 
 from wrinklestudy.equilibrium import newton
-from wrinklestudy.equilibrium.problem import PlateProblem
+from wrinklestudy.equilibrium.problem import PlateEnergy
 from wrinklestudy.fem.assembly import Assembler
 from wrinklestudy.fem.factorisation import make_solver
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics.section import Section
-from wrinklestudy.typing import Array
-
-Mask = NDArray[np.bool_]
+from wrinklestudy.typing import Array, Mask
 
 VALUE, SLOPE_X, SLOPE_Y, TWIST = range(4)
 
@@ -20,11 +17,11 @@ _TOLERANCE = 1e-14  # of the Newton decrement, in parts of the energy
 _MAX_STEPS = 12
 
 
-class Sheet(PlateProblem):
+class LoadedSheet(PlateEnergy):
     """Energy of a sheet over its free dofs less the work of a dead load, in units of mu W^3.
 
-    Energy, residual and tangent are those of `problem.PlateProblem`; only the boundary conditions
-    and the load differ.
+    Energy, residual and tangent are those that `problem.PlateProblem` has too; only the boundary
+    conditions and the load differ.
 
     Parameters
     ----------
@@ -46,11 +43,10 @@ class Sheet(PlateProblem):
         position: Array,
         load: Array | None = None,
     ) -> None:
-        self.section = section
-        self.assembler = Assembler(space, free, 5)
-        self._prescribed = position.copy()
+        super().__init__(section, Assembler(space, free, 5), position)
+        self._start = position[free]
         self._load = np.zeros(self.assembler.size) if load is None else load[free]
-        self._matrix: sparse.csr_array | None = None
+        self._lift: sparse.csr_array | None = None
 
     def energy(self, unknowns: Array) -> float:
         """Return the potential energy, infinite where the surface degenerates."""
@@ -63,7 +59,7 @@ class Sheet(PlateProblem):
 
     def shift(self) -> sparse.csr_array:
         """Return t^3 times the squares of the second derivatives of all components."""
-        if self._matrix is None:
+        if self._lift is None:
             blocks = []
             for c, d in self.assembler.pairs:
                 entries = self.assembler.entries(c == d)
@@ -71,8 +67,8 @@ class Sheet(PlateProblem):
                 for k in (2, 3, 4) if c == d else ():
                     block[entries.index((k, k))] = self.section.thickness**3
                 blocks.append(block)
-            self._matrix = self.assembler.tangent(blocks)
-        return self._matrix
+            self._lift = self.assembler.tangent(blocks)
+        return self._lift
 
     def solve(self, rough: float = 1e-6) -> Array:
         """Return the position of least energy from the first guess, (3, size).
@@ -86,12 +82,12 @@ class Sheet(PlateProblem):
         ArithmeticError
             If it is not found.
         """
-        start = self._prescribed[self.assembler.free]
         solver = make_solver()
-        found = newton.minimise(self, start, solver, newton.NewtonOptions(tolerance=rough))
-        if not found.converged:
-            raise ArithmeticError(f"no equilibrium: {found.reason}")
-        unknowns = found.unknowns
+        options = newton.NewtonOptions(tolerance=rough)
+        minimum = newton.minimise(self, self._start, solver, options)
+        if not minimum.converged:
+            raise ArithmeticError(f"no equilibrium: {minimum.reason}")
+        unknowns = minimum.unknowns
         for _ in range(_MAX_STEPS):
             energy, residual, tangent = self.derivatives(unknowns)
             solver.factorise(tangent)

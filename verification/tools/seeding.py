@@ -20,7 +20,7 @@ AGREE = 1e-8  # relative; what one and the same state must keep
 _SETTINGS = WrinkleSettings(max_iterations=150)
 
 
-class Found(NamedTuple):
+class SeededMinima(NamedTuple):
     """States that many seeds led to."""
 
     planar: Planar
@@ -64,16 +64,16 @@ def seeds(modes: Modes, thickness: float, sizes: tuple[float, ...] = SIZES) -> d
     diagonal = np.array([k for k, (i, j) in enumerate(pairs(count)) if i == j])
     room = np.maximum(modes.squared - thickness**2, 0.0)
     size = np.sqrt(room / (2.0 * modes.quartic[diagonal, diagonal]))
-    found = {
+    single = {
         f"mode {k + 1} x {factor:g}": factor * size * (np.arange(count) == k)
         for k in np.flatnonzero(room > 0.0)
         for factor in sizes
     }
     rng = np.random.default_rng(1)
-    return found | {f"mix {k + 1}": size * rng.standard_normal(count) for k in range(_MIXES)}
+    return single | {f"mix {k + 1}": size * rng.standard_normal(count) for k in range(_MIXES)}
 
 
-def minima(planar: Planar, thickness: float, sizes: tuple[float, ...] = SIZES) -> Found:
+def minima(planar: Planar, thickness: float, sizes: tuple[float, ...] = SIZES) -> SeededMinima:
     """Minimise the energy from all `seeds` of a planar state."""
     if planar.flat is None or planar.modes is None:
         raise ValueError(f"no flat state: {planar.reason}")
@@ -83,32 +83,31 @@ def minima(planar: Planar, thickness: float, sizes: tuple[float, ...] = SIZES) -
         start = seed_position(planar.flat, planar.modes, q)
         states.append((name, _wrinkled(planar, problem, start, _SETTINGS)))
     unstable = int(np.sum(planar.modes.squared > thickness**2))
-    return Found(planar, thickness, unstable, tuple(states))
+    return SeededMinima(planar, thickness, unstable, tuple(states))
 
 
-def checks(found: Found) -> list[Check]:
+def checks(minima: SeededMinima) -> list[Check]:
     """Return the checks that all seeds lead to one minimum."""
-    name = (
-        f"t/W = {found.thickness:g}, strain {found.planar.strain:g}, {found.planar.settings.parity}"
-    )
+    planar = minima.planar
+    name = f"t/W = {minima.thickness:g}, strain {planar.strain:g}, {planar.settings.parity}"
     return [
         Check(
             f"{name}: seeds that end in a minimum",
-            len(found.converged),
-            len(found.states),
+            len(minima.converged),
+            len(minima.states),
             kind="absolute",
             reason="every seed must lead to a wrinkled state",
         ),
         Check(
             f"{name}: spread of the energy saved",
-            spread(found.gains),
+            spread(minima.gains),
             AGREE,
             kind="at most",
             reason="one and the same minimum from every seed; relative",
         ),
         Check(
             f"{name}: spread of A/t",
-            spread(found.amplitudes),
+            spread(minima.amplitudes),
             AGREE,
             kind="at most",
             reason="one and the same minimum from every seed; relative",
@@ -116,7 +115,7 @@ def checks(found: Found) -> list[Check]:
     ]
 
 
-def table(found: list[Found]) -> Table:
+def table(cases: list[SeededMinima]) -> Table:
     """Return the minima, a row for each sheet, strain and parity."""
     rows: list[list[str | int]] = [
         [
@@ -131,7 +130,7 @@ def table(found: list[Found]) -> Table:
             f"{f.gains[0]:.6e}",
             f"{f.amplitudes[0]:.5f}",
         ]
-        for f in found
+        for f in cases
     ]
     return Table(
         "Minima from many seeds (energies of the quarter in mu W^3)",

@@ -58,8 +58,7 @@ def both_parities(
     planar = [
         planar_state(state, material, PlanarSettings(parity=p, modes=modes)) for p in PARITIES
     ]
-    found = tuple(wrinkled(p, thickness) for p in planar)
-    return found[0], found[1]
+    return wrinkled(planar[0], thickness), wrinkled(planar[1], thickness)
 
 
 def wrinkled(planar: Planar, thickness: float) -> Equilibrium:
@@ -77,7 +76,7 @@ def wrinkled(planar: Planar, thickness: float) -> Equilibrium:
     return state
 
 
-class Parts(NamedTuple):
+class SolvedState(NamedTuple):
     """What is known of an equilibrium that converged."""
 
     flat: flat.Flat
@@ -85,7 +84,7 @@ class Parts(NamedTuple):
     position: Array
 
 
-def parts(state: Equilibrium) -> Parts:
+def solved(state: Equilibrium) -> SolvedState:
     """Return flat state, space and position of an equilibrium.
 
     Raises
@@ -95,12 +94,12 @@ def parts(state: Equilibrium) -> Parts:
     """
     if state.planar.flat is None or state.position is None:
         raise ValueError(f"status {state.status!r}: no position")
-    return Parts(state.planar.flat, state.planar.flat.space, state.position)
+    return SolvedState(state.planar.flat, state.planar.flat.space, state.position)
 
 
 def amplitude(state: Equilibrium) -> float:
     """Return A/t on the mid-line."""
-    _, space, position = parts(state)
+    _, space, position = solved(state)
     return amplitude_of(space, position, state.planar.settings.parity) / state.thickness
 
 
@@ -116,11 +115,11 @@ def energy_below(state: Equilibrium, reference: Equilibrium | None = None) -> fl
     The densities are subtracted point by point, so that the difference of two energies which
     agree in many digits keeps its own.
     """
-    known, space, position = parts(state)
+    known, space, position = solved(state)
     other = np.zeros_like(position)
     other[:2] = known.position
     if reference is not None:
-        other = parts(reference).position
+        other = solved(reference).position
     section = Section(known.law, state.thickness, state.planar.settings.bending)
     above, below = (plate.energy(section, space.derivatives(p)) for p in (other, position))
     return float(((above - below) * space.measure).sum())
@@ -128,7 +127,7 @@ def energy_below(state: Equilibrium, reference: Equilibrium | None = None) -> fl
 
 def bending_square(state: Equilibrium) -> float:
     """Return t^3 w.B w of the deflection of a state with the bending matrix of its flat state."""
-    known, _, position = parts(state)
+    known, _, position = solved(state)
     settings = state.planar.settings
     _, bent, assembler, _ = deflection_matrices(known, settings.bending, settings.parity)
     deflection = position[2][assembler.free[0]]

@@ -49,8 +49,8 @@ class Pair(NamedTuple):
     @property
     def sliding(self) -> tuple[ClassStability, ClassStability]:
         """Stability of either against sliding."""
-        found = [next(c for c in group if c[:2] == SLIDING) for group in self.classes]
-        return found[0], found[1]
+        first, second = (next(c for c in own if c[:2] == SLIDING) for own in self.classes)
+        return first, second
 
     @property
     def softest(self) -> tuple[float, float]:
@@ -92,8 +92,8 @@ def solve_pair(space: Space, strain: float, every: bool = True, spectra: bool = 
 def eigenvalue(space: Space, strain: float, parity: Parity) -> float:
     """Return the softest eigenvalue mu of one parity against sliding."""
     state = flat.solve(space, LATEX.law, strain)
-    found = wrinkled(planar_state(state, LATEX, PlanarSettings(parity=parity, modes=4)), THICKNESS)
-    return mirror_stability.classes(found, (SLIDING,))[0].softest
+    planar = planar_state(state, LATEX, PlanarSettings(parity=parity, modes=4))
+    return mirror_stability.classes(wrinkled(planar, THICKNESS), (SLIDING,))[0].softest
 
 
 def exchange(space: Space, parity: Parity, known: dict[float, float]) -> float:
@@ -122,15 +122,15 @@ def exchange_near(space: Space, parity: Parity, strain: float) -> float:
     return float(ends[0] + 2.0 * _NEAR * low / (low - high))
 
 
-class Study(NamedTuple):
-    """What was computed."""
+class ParityPairs(NamedTuple):
+    """Both parities over strain, and where they exchange stability."""
 
     pairs: tuple[Pair, ...]  # on MESH
     coarser: dict[tuple[int, int], tuple[Pair, ...]]
     roots: tuple[tuple[float, float, float], ...]  # both parities on MESH, the first on FINER
 
 
-def study() -> Study:
+def parity_pairs() -> ParityPairs:
     """Return both parities over strain on several meshes, and where they exchange stability."""
     space, fine = quarter(*MESH), quarter(*FINER)
     pairs = tuple(solve_pair(space, strain, spectra=strain in SPECTRA) for strain in STRAINS)
@@ -145,4 +145,4 @@ def study() -> Study:
             root = exchange(space, PARITIES[0], known)
             symmetric = exchange_near(space, PARITIES[1], root)
             roots.append((root, symmetric, exchange_near(fine, PARITIES[0], root)))
-    return Study(pairs, coarser, tuple(roots))
+    return ParityPairs(pairs, coarser, tuple(roots))

@@ -3,7 +3,7 @@
 import numpy as np
 from scipy import optimize
 
-from verification.tools.problem import SLOPE_X, SLOPE_Y, VALUE, Sheet, affine, nodes
+from verification.tools.problem import SLOPE_X, SLOPE_Y, VALUE, LoadedSheet, affine, nodes
 from verification.tools.stretching import exact
 from wrinklestudy.fem.factorisation import multiply
 from wrinklestudy.fem.grid import Grid
@@ -50,7 +50,7 @@ def stiffness(law: Law, bending: Bending, stretch: float) -> tuple[float, float]
     position = affine(space, stretch, across)
     free = np.zeros(position.shape, dtype=bool)
     free[2] = True
-    problem = Sheet(space, Section(law, thickness, bending), free, position)
+    problem = LoadedSheet(space, Section(law, thickness, bending), free, position)
     tangent = problem.derivatives(position[free])[2]
     found = []
     for axis, line, slope in ((0, space.grid.x[:, None], SLOPE_X), (1, space.grid.y, SLOPE_Y)):

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from verification.tools.problem import VALUE, Sheet, affine, held, nodes
+from verification.tools.problem import VALUE, LoadedSheet, affine, held, nodes
 from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics import laws
@@ -79,7 +79,7 @@ def solve(law: Law, mode: str, stretch: float) -> Stretched:
     shake = np.random.default_rng(4).uniform(-1.0, 1.0, start.shape) * space.cell_sizes.min()
     shake[2] *= 1e-3
     start[free] += _SHAKE * _value_scale(space, shake)[free]
-    problem = Sheet(space, Section(law, THICKNESS), free, start)
+    problem = LoadedSheet(space, Section(law, THICKNESS), free, start)
     found = problem.solve()
     forces = problem.reactions(found[free])
     line = nodes(space)

@@ -54,19 +54,20 @@ def traced(name: str) -> Traced:
     """Follow a branch and solve some of its strains again from the flat state alone."""
     space = quarter(*MESH)
     start = wrinkled(solve_planar(space, LATEX, STARTS[name]), THICKNESS)
-    found = continuation.trace(start, _WIDE, upward=name == "upward")
+    branch = continuation.trace(start, _WIDE, upward=name == "upward")
     energies, amplitudes = [], []
-    for k in range(1, len(found.points) - 1, EVERY):
-        point = found.points[k]
+    for k in range(1, len(branch.points) - 1, EVERY):
+        point = branch.points[k]
         if point.amplitude < _SOFT:
             continue
         alone = wrinkled(solve_planar(space, LATEX, point.strain), THICKNESS)
         if alone.position is None:
             raise ArithmeticError(f"strain {point.strain:g}: no position")
-        values = [amplitude_of(space, p, PARITIES[0]) for p in (found.positions[k], alone.position)]
+        positions = (branch.positions[k], alone.position)
+        values = [amplitude_of(space, position, PARITIES[0]) for position in positions]
         energies.append(abs(point.energy / alone.energy - 1.0))
         amplitudes.append(abs(values[0] - values[1]) / THICKNESS)
-    return Traced(name, found, max(energies), max(amplitudes), len(energies))
+    return Traced(name, branch, max(energies), max(amplitudes), len(energies))
 
 
 def landau(run: Traced) -> list[Landau]:
@@ -79,9 +80,9 @@ def landau(run: Traced) -> list[Landau]:
         modes = solve_planar(space, LATEX, point.strain, PlanarSettings(modes=2)).modes
         if modes is None:
             raise ArithmeticError(f"strain {point.strain:g}: no modes")
-        shape = np.abs(space.nodes_from_field(modes.shapes[0])[0]).max()
+        highest = np.abs(space.nodes_from_field(modes.shapes[0])[0]).max()
         stiff = float(modes.quartic[0, 0])
-        square = (modes.squared[0] - THICKNESS**2) / (2.0 * stiff) * (shape / THICKNESS) ** 2
+        square = (modes.squared[0] - THICKNESS**2) / (2.0 * stiff) * (highest / THICKNESS) ** 2
         rows.append(Landau(point.strain, point.amplitude**2, float(square), stiff))
     return rows
 
@@ -155,7 +156,7 @@ def checks(run: Traced, root: float, rows: list[Landau]) -> list[Check]:
             f"{run.name}: smallest quartic coefficient G_11",
             min(row.quartic for row in rows),
             0.0,
-            kind="at least",
+            kind="more than",
             reason="positive: supercritical",
         ),
     ]

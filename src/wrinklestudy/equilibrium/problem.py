@@ -6,23 +6,28 @@ from scipy import sparse
 
 from wrinklestudy.equilibrium.flat import Flat
 from wrinklestudy.equilibrium.modes import Modes
-from wrinklestudy.fem.assembly import shared_assembler
+from wrinklestudy.fem.assembly import Assembler, shared_assembler
 from wrinklestudy.mechanics import plate
 from wrinklestudy.mechanics.section import Section, SectionDerivatives
 from wrinklestudy.typing import Array
 
 
-class PlateProblem:
-    """Energy of the sheet over its free dofs, in units of mu W^3."""
+class PlateEnergy:
+    """Energy of any sheet over its free dofs, in units of mu W^3.
 
-    def __init__(self, flat: Flat, modes: Modes, thickness: float) -> None:
-        self.flat = flat
-        self.modes = modes
-        self.section = Section(flat.law, thickness, modes.bending)
-        self.assembler = shared_assembler(flat.space, flat.space.free(modes.parity))
-        self._shift: sparse.csr_array | None = None
-        self._prescribed = np.zeros((3, flat.space.size))
-        self._prescribed[:2] = flat.position
+    Parameters
+    ----------
+    section : Section
+    assembler : Assembler
+        Of the space and the free dofs.
+    position : (3, size) array
+        Its values at the other dofs are prescribed.
+    """
+
+    def __init__(self, section: Section, assembler: Assembler, position: Array) -> None:
+        self.section = section
+        self.assembler = assembler
+        self._prescribed = position.copy()
 
     def position(self, unknowns: Array) -> Array:
         """Return the dof vectors (3, size) with the prescribed values in place."""
@@ -72,6 +77,19 @@ class PlateProblem:
         """Return the residual at every dof, (3, size); the reactions are at the prescribed ones."""
         surface, section = plate.respond(self.section, self.gradients(unknowns))
         return self.assembler.residual(plate.gradient(surface, section))
+
+
+class PlateProblem(PlateEnergy):
+    """Energy of the quarter sheet between its clamps, from its flat state, in units of mu W^3."""
+
+    def __init__(self, flat: Flat, modes: Modes, thickness: float) -> None:
+        position = np.zeros((3, flat.space.size))
+        position[:2] = flat.position
+        assembler = shared_assembler(flat.space, flat.space.free(modes.parity))
+        super().__init__(Section(flat.law, thickness, modes.bending), assembler, position)
+        self.flat = flat
+        self.modes = modes
+        self._shift: sparse.csr_array | None = None
 
     def shift(self) -> sparse.csr_array:
         """Return t B on the deflection: it lifts all modes of the flat state by the same amount."""

@@ -5,12 +5,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from verification.tools.bending import elastica_formula
 from verification.groups.closed_forms import LAW
-from verification.tools.consistency import STEP, difference
 from verification.groups.convergence import limit
 from verification.groups.independent import extrapolated
 from verification.mutations import MUTATIONS
+from verification.tools.bending import elastica_formula
+from verification.tools.consistency import STEP, difference
 from verification.tools.problem import held
 from verification.tools.singularity import halved, williams
 from verification.tools.stiffness import flexure, stiffness_formula
