@@ -7,6 +7,7 @@ where a text comes from a config, a file or a name.
 
 import math
 import re
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -82,6 +83,11 @@ def render(template: str, folder: Path | None = None, /, **values: Any) -> str:
     jinja2.TemplateNotFound
         If there is no such template.
     """
+    return _environment(folder).get_template(template).render(values)
+
+
+@cache
+def _environment(folder: Path | None) -> Environment:
     environment = Environment(
         loader=FileSystemLoader([*filter(None, [folder]), SHARED]),
         undefined=StrictUndefined,
@@ -92,4 +98,4 @@ def render(template: str, folder: Path | None = None, /, **values: Any) -> str:
     )
     filters = {"number": number, "markdown": markdown, "cell": cell, "code": code, "anchor": anchor}
     environment.filters |= filters
-    return environment.get_template(template).render(values)
+    return environment
