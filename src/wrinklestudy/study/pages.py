@@ -18,9 +18,12 @@ from wrinklestudy.study import templates
 SHARED = Path(templates.__file__).parent
 NO_NUMBER = "no number"
 
-# What starts something in Markdown inside a line: code, emphasis, links, tables, strikes, formulas;
-# `<` and `&` only where HTML could start, `_` only where it is not within a word.
-_SPECIAL = re.compile(r"[\\`*\[\]|~$]|<(?=[A-Za-z/!?])|&(?=[A-Za-z#])|(?<![A-Za-z0-9])_|_(?!\w)")
+# What starts something in Markdown inside a line: code, emphasis, links, tables, strikes, formulas.
+# Not `*` and `~` between spaces, `_` within a word, `<` and `&` where no HTML can start.
+_SPECIAL = re.compile(
+    r"[\\`\[\]|$]|[*~](?=\S)|(?<=\S)[*~]|<(?=[A-Za-z/!?])|&(?=[A-Za-z#])"
+    r"|(?<![A-Za-z0-9])_|_(?!\w)"
+)
 
 
 def number(value: float | None, form: str = ".6g", missing: str = NO_NUMBER) -> str:
@@ -55,8 +58,10 @@ def code(text: str) -> str:
     """Return a piece of code on one line of Markdown, whatever backticks it has."""
     line = " ".join(text.split())
     longest = max((len(run) for run in re.findall("`+", line)), default=0)
-    fence = "`" * max(2, longest + 1)
-    return f"{fence} {line} {fence}" if line else "nothing"
+    if not line:
+        return "nothing"
+    fence = "`" * (longest + 1)
+    return f"{fence} {line} {fence}" if longest else f"`{line}`"
 
 
 def anchor(title: str) -> str:

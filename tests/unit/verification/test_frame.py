@@ -82,7 +82,7 @@ def test_page_shows_texts_tables_verdicts_and_plots(groups, mutations, tmp_path)
     assert "| none | no number |" in text
     assert "| a \\| b | 1 | 1 to 1.0e-03 of it | passed | it is so |" in text
     assert text.count("| FAILED |") == 2  # on top of its group and among all its checks
-    assert "`` a + b `` became `` a - b ``): caught by energy." in text
+    assert "`a + b` became `a - b`): caught by energy." in text
     assert "**nothing caught it**" in text
     assert "![A plot](verification/good.png)" in text
     assert (tmp_path / "docs" / "verification" / "good.png").read_bytes() == b"picture"
@@ -113,7 +113,7 @@ def test_the_page_says_where_it_ran(groups, tmp_path):
     page.run(groups, None, tmp_path / "page.md", tmp_path / "m.json")
     last = (tmp_path / "page.md").read_text().rstrip().splitlines()[-1]
     assert last == (
-        "x86_64, A \\| B, Linux; BLAS: openblas 0.3 (Zen); sparse factorisation: `` SuperLU ``; "
+        "x86_64, A \\| B, Linux; BLAS: openblas 0.3 (Zen); sparse factorisation: `SuperLU`; "
         "Python 3.11.7."
     )
 
