@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import threadpoolctl
+from scipy import sparse
 
 from wrinklestudy.fem.factorisation import make_solver
 from wrinklestudy.results.files import write_json
@@ -29,12 +30,13 @@ def run(output: AnyPath, groups: object = None) -> None:  # noqa: ARG001
 
 def facts() -> dict[str, Any]:
     """Return processor, BLAS kernels, factorisation and versions; nothing that names a machine."""
-    solver = type(make_solver()).__name__  # before its BLAS library is looked for
+    solver = make_solver()
+    solver.factorise(sparse.eye_array(2, format="csr"))  # loads its BLAS library
     return {
         "processor": f"{platform.machine()}, {processor(_CPUINFO)}",
         "system": platform.system(),
         "kernels": kernels(),
-        "factorisation": solver,
+        "factorisation": type(solver).__name__,
         "versions": {"Python": platform.python_version()}
         | {name: found for name in PACKAGES if (found := _version(name))},
     }

@@ -198,11 +198,20 @@ def _plot(sweep: Sequence[ErrorOnMesh], path: Path) -> None:
         style.save(figure, path)
 
 
-def monomials_text(sweep: Sequence[ErrorOnMesh]) -> str:
-    """Say what became of scikit-fem's own element on finer and finer meshes."""
+def monomials_text(sweep: Sequence[ErrorOnMesh], others: Sequence[str] = ()) -> str:
+    """Say what became of scikit-fem's own element.
+
+    Parameters
+    ----------
+    sweep : sequence of ErrorOnMesh
+        From coarse to fine uniform meshes.
+    others : sequence of str
+        Other meshes on which it is singular.
+    """
     known = [row for row in sweep if np.isfinite(row.monomials)]
-    lost = [str(row.cells) for row in sweep if not np.isfinite(row.monomials)]
-    singular = f"It has {SINGULAR} on {', '.join(lost)} cells" if lost else ""
+    lost = [f"{row.cells} cells" for row in sweep if not np.isfinite(row.monomials)]
+    lost += [f"the {mesh}" for mesh in others]
+    singular = f"It has {SINGULAR} on {', '.join(lost)}" if lost else ""
     if len(known) < 2:
         return f"{singular}."
     first, last = known[0], known[-1]
@@ -224,7 +233,7 @@ def _rounding_text(names: Sequence[str]) -> str:
     return conclusion(bool(names), where, f"it stays below the {BOUND:g}")
 
 
-def _text(beyond: Sequence[str], sweep: Sequence[ErrorOnMesh]) -> str:
+def _text(beyond: Sequence[str], sweep: Sequence[ErrorOnMesh], others: Sequence[str]) -> str:
     return (
         f"The bicubic Hermite element is fed with the nodal values of a polynomial that has all "
         f"16 monomials, on [0, {SIDES[0]:g}] x [0, {SIDES[1]:g}]. Its derivatives at the Gauss "
@@ -233,7 +242,7 @@ def _text(beyond: Sequence[str], sweep: Sequence[ErrorOnMesh]) -> str:
         f"cannot be better than about {_ROUNDING:g} eps max|u|/h^k (column *rounding*; "
         f"{_rounding_text(beyond)}). The fourth column is the same element used through "
         f"scikit-fem's `Basis`. scikit-fem's own `ElementQuadBFS`, which inverts a matrix of "
-        f"global monomials, is shown for information. {monomials_text(sweep)}"
+        f"global monomials, is shown for information. {monomials_text(sweep, others)}"
     )
 
 
@@ -242,12 +251,15 @@ def run(output: AnyPath) -> None:
     output = Path(output)
     rows: list[list[str]] = []
     checks: list[Check] = []
-    beyond = []
+    beyond, others = [], []
     for label, grading in GRADINGS.items():
         space = _space(CELLS, grading)
         own, rounding = _errors(space, _bicubic), _rounding(space)
         checks += _reproduction(label, space, own)
-        columns = (own, _in_basis(space, ElementQuadHermite()), _monomials(space), rounding)
+        monomials = _monomials(space)
+        if grading != GRADINGS["uniform"] and np.isnan(monomials).any():
+            others.append(f"{label} mesh")
+        columns = (own, _in_basis(space, ElementQuadHermite()), monomials, rounding)
         for name, *values in zip(NAMES, *columns, strict=True):
             numbers = [f"{value:.1e}" if np.isfinite(value) else SINGULAR for value in values]
             rows.append([f"{label} {CELLS[0]} x {CELLS[1]}", name, *numbers])
@@ -261,5 +273,5 @@ def run(output: AnyPath) -> None:
     )
     caption = "Error of x,11 of a bicubic against the number of cells (uniform); dotted: the bound."
     plots = [("element_reproduction.png", caption)]
-    text = _text(beyond, sweep)
+    text = _text(beyond, sweep, others)
     write(Group("element", "Element", text, checks + _orders(), [table], plots), output)
