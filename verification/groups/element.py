@@ -184,14 +184,14 @@ def _sweep() -> list[ErrorOnMesh]:
 def _plot(sweep: Sequence[ErrorOnMesh], path: Path) -> None:
     cells, own, other = np.array(sweep).T
     lost = cells[np.isnan(other)]
-    label = "scikit-fem ElementQuadBFS"
-    if len(lost):
-        label += f"\n({SINGULAR}: {', '.join(f'{count:.0f}' for count in lost)} cells)"
     with style.applied():
         figure, axes = style.panel()
-        axes.loglog(cells, other, "s--", color=style.VERMILLION, label=label)
+        axes.loglog(cells, other, "s--", color=style.VERMILLION, label="scikit-fem ElementQuadBFS")
         axes.loglog(cells, own, "o-", color=style.BLUE, label="ElementQuadHermite")
         axes.axhline(BOUND, color=style.GREY, ls=":", lw=0.8)
+        if len(lost):
+            where = ", ".join(f"{count:.0f}" for count in lost)
+            axes.set_title(f"BFS, {where} cells:\n{SINGULAR}", fontsize="small")
         axes.set_xlabel("cells")
         axes.set_ylabel("largest relative error of x,11")
         axes.legend()
