@@ -6,6 +6,7 @@ benchmarks in a folder.
 
 import json
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -13,80 +14,49 @@ import numpy as np
 
 from wrinklestudy.fem.grid import MeshSettings
 from wrinklestudy.results.files import atomic_path
+from wrinklestudy.study.pages import number, render
 
-TEXT = """# Speed
-
-Made by `make bench`; do not edit. Only ratios mean something on another machine ({machine},
-{cores} cores).
-
-## Parts of the solver
-
-Medians in milliseconds on one thread at L/W = 2, t/W = 1e-3, strain 0.12, in brackets the ratio to
-the numeric factorisation of the tangent on the same mesh, and the exponent of the growth with the
-number of cells. The tangent of Newton's method takes its stresses from the last step
-(`problem.py`). The branch has 20 strains from 0.02 to 0.40, flat states and modes included.
-
-"""
-
-STUDY = """## The whole study
-
-`config.yaml` from nothing: {wall:.0f} s on {cores} cores, {cpu:.0f} s of CPU time, of which
-{solving:.0f} s solve (flat states, eigenproblems, wrinkled states); **{overhead:.0%} of the CPU
-time is overhead**: {jobs} starts of Python with the imports of numpy, scipy and scikit-fem, files,
-tables, figures, snakemake. The largest job takes {peak_mb_of_a_job:.0f} MB.
-
-"""
-
-STARTS = """What a process costs that imports what a job of a wrinkled state needs, and then ends
-(medians, measured after the study):
-
-"""
-
-SHARE = """
-The jobs of flat and of wrinkled states, {jobs} of them, start for {seconds:.0f} s. Without any
-other job, without files and without snakemake that alone is {share:.0%} of the CPU time beside the
-{solving:.0f} s of solving. Only processes that serve several cases could get below it.
-
-"""
-
-MESH = """## The default mesh
-
-Error against time, one number of the mesh changed at a time; {cases} cases that stand for the whole
-study. The error of A is in parts of the largest A of the sheet (A itself vanishes at decay), both
-errors against {finest} cells; the time is CPU seconds of all cases on one thread. Allowed are
-{allowed_a:.1%} in A and {allowed_tau:.1%} in tau_1.
-
-"""
-
-THIN = """## Thin sheets
-
-One wrinkled state each at L/W = 2 and strain {strain:g}, from the flat state alone (no path through
-thicker sheets), CPU seconds on one thread.
-
-"""
-
+TEMPLATES = Path(__file__).parent / "templates"
+FILES = ("solver", "study", "mesh", "thin")
 ALLOWED = 5e-3, 1e-3  # error of A/t and of tau_1 that the default mesh must hold
 
-
-def markdown(rows: list[list[str]]) -> str:
-    """Return rows as a Markdown table, the first with the headings."""
-    lines = ["| " + " | ".join(row) + " |" for row in rows]
-    lines.insert(1, "|---" * len(rows[0]) + "|")
-    return "\n".join(lines) + "\n\n"
+# Headings and rows of a table
+PageTable = tuple[Sequence[str], Sequence[Sequence[str]]]
 
 
-def parts(runs: list[dict[str, Any]]) -> list[list[str]]:
+def page(contents: dict[str, dict[str, Any]]) -> str:
+    """Return the page from the content of `FILES`; the same content gives the same text."""
+    solver, study, mesh, thin = (contents[name] for name in FILES)
+    jobs = sum(stage["jobs"] for stage in study["stages"].values())
+    return render(
+        "performance.md.j2",
+        TEMPLATES,
+        machine=solver["machine_info"]["cpu"].get("brand_raw", "unknown processor"),
+        solver={"parts": parts(solver["benchmarks"]), "iterations": iterations(solver)},
+        study=study | {"jobs": round(jobs), "stages": stages(study["stages"])},
+        starts=starts(study),
+        mesh={
+            "cases": mesh["cases"],
+            "finest": "{cells_along} x {cells_across}".format(**mesh["finest"]),
+            "allowed": ALLOWED,
+            "table": meshes(mesh["rows"]),
+            "choice": choice(mesh["rows"]),
+        },
+        thin={"strain": thin["strain"], "table": thin_sheets(thin["sheets"])},
+    )
+
+
+def parts(runs: Sequence[dict[str, Any]]) -> PageTable:
     """Return the table of the solver's parts."""
     cells = sorted({run["extra_info"]["cells"] for run in runs})
     medians: dict[str, dict[int, float]] = {}
     for run in runs:
-        name = run["name"].split("[")[0].removeprefix("test_").replace("_", " ")
+        name = _name(run).split("[")[0]
         medians.setdefault(name, {})[run["extra_info"]["cells"]] = run["stats"]["median"]
     unit = medians["factorisation"]
-    rows = [["part", *(f"{n} cells" for n in cells), "growth"]]
+    rows = []
     for name, times in medians.items():
-        row = [name]
-        row += [
+        shown = [
             f"{1e3 * times[n]:.1f} ({times[n] / unit[n]:.2f})" if n in times else "" for n in cells
         ]
         growth = ""
@@ -94,128 +64,123 @@ def parts(runs: list[dict[str, Any]]) -> list[list[str]]:
             sizes = np.log(sorted(times))
             exponent = np.polyfit(sizes, np.log([times[n] for n in sorted(times)]), 1)[0]
             growth = f"cells^{exponent:.2f}"
-        rows.append([*row, growth])
-    return rows
+        rows.append([name, *shown, growth])
+    return ["part", *(f"{n} cells" for n in cells), "growth"], rows
 
 
-def solver(content: dict[str, Any]) -> str:
-    """Return the section on the solver."""
-    text = markdown(parts(content["benchmarks"]))
-    for run in content["benchmarks"]:
-        count = run["extra_info"].get("newton_iterations")
-        if count is not None:
-            name = run["name"].removeprefix("test_").replace("_", " ")
-            text += f"- Newton iterations, {name}: {count}\n"
-    return text + "\n"
+def iterations(content: dict[str, Any]) -> list[tuple[str, Any]]:
+    """Return the Newton iterations of the benchmarks that count them, by name."""
+    return [
+        (_name(run), run["extra_info"]["newton_iterations"])
+        for run in content["benchmarks"]
+        if run["extra_info"].get("newton_iterations") is not None
+    ]
 
 
-def study(content: dict[str, Any]) -> str:
-    """Return the section on the whole study."""
-    jobs = sum(stage["jobs"] for stage in content["stages"].values())
-    text = STUDY.format(**content | {"jobs": round(jobs)})
-    rows = [["stage", "jobs", "CPU seconds", "solving"]]
-    for name, stage in content["stages"].items():
-        rows.append([name, f"{stage['jobs']:.0f}", f"{stage['job']:.1f}", f"{stage['solve']:.1f}"])
-    return text + markdown(rows) + starts(content)
+def _name(run: dict[str, Any]) -> str:
+    return str(run["name"]).removeprefix("test_").replace("_", " ")
 
 
-def starts(content: dict[str, Any]) -> str:
-    """Say what the start of a job costs, and what share of the study such starts are."""
-    rows, last = [["start of a job", "CPU seconds"]], 0.0
+def stages(content: dict[str, dict[str, float]]) -> PageTable:
+    """Return the table of the study's stages."""
+    rows = [
+        [name, f"{stage['jobs']:.0f}", f"{stage['job']:.1f}", f"{stage['solve']:.1f}"]
+        for name, stage in content.items()
+    ]
+    return ("stage", "jobs", "CPU seconds", "solving"), rows
+
+
+def starts(content: dict[str, Any]) -> dict[str, Any]:
+    """Return what the start of a job costs, and what share of the study such starts are."""
+    rows, last = [], 0.0
     for part in content["starts"]:
         name = f"+ {part['imports']}" if last else part["imports"]
         rows.append([name, f"{part['seconds'] - last:.3f}"])
         last = part["seconds"]
     rows.append(["together", f"{last:.3f}"])
     jobs = sum(content["stages"][stage]["jobs"] for stage in ("planar", "wrinkle"))
-    seconds, solving = jobs * last, content["solving"]
-    share = seconds / (seconds + solving)
-    text = SHARE.format(jobs=round(jobs), seconds=seconds, share=share, solving=solving)
-    return STARTS + markdown(rows).rstrip() + "\n" + text
+    seconds = jobs * last
+    return {
+        "parts": (("start of a job", "CPU seconds"), rows),
+        "jobs": round(jobs),
+        "seconds": seconds,
+        "share": seconds / (seconds + content["solving"]),
+    }
 
 
-def mesh(content: dict[str, Any]) -> str:
-    """Return the section on the default mesh."""
-    finest, rows = content["finest"], content["rows"]
-    text = MESH.format(
-        cases=content["cases"],
-        finest=f"{finest['cells_along']} x {finest['cells_across']}",
-        allowed_a=ALLOWED[0],
-        allowed_tau=ALLOWED[1],
-    )
-    table = [["varied", "cells", "grading", "seconds", "error of A", "error of tau_1", "holds"]]
-    for row in rows:
-        table.append(
-            [
-                row["part"],
-                f"{row['along']} x {row['across']}",
-                f"{row['grading']:g}",
-                f"{row['seconds']:.1f}",
-                f"{row['error_amplitude']:.2%} ({row['error_amplitude_at']})",
-                f"{row['error_tau']:.3%} ({row['error_tau_at']})",
-                "yes" if _holds(row) else "no",
-            ]
-        )
-    return text + markdown(table) + _choice(rows)
+def meshes(rows: Sequence[dict[str, Any]]) -> PageTable:
+    """Return the table of the meshes that were tried."""
+    columns = ("varied", "cells", "grading", "seconds", "error of A", "error of tau_1", "holds")
+    return columns, [
+        [
+            row["part"],
+            _mesh(row),
+            f"{row['grading']:g}",
+            f"{row['seconds']:.1f}",
+            f"{row['error_amplitude']:.2%} ({row['error_amplitude_at']})",
+            f"{row['error_tau']:.3%} ({row['error_tau_at']})",
+            "yes" if _holds(row) else "no",
+        ]
+        for row in rows
+    ]
+
+
+def _mesh(row: dict[str, Any]) -> str:
+    return f"{row['along']} x {row['across']}"
 
 
 def _holds(row: dict[str, Any]) -> bool:
     return bool(row["error_amplitude"] <= ALLOWED[0] and row["error_tau"] <= ALLOWED[1])
 
 
-def _choice(rows: list[dict[str, Any]]) -> str:
-    """Say how the default mesh compares with the cheapest that holds."""
+def choice(rows: Sequence[dict[str, Any]]) -> str:
+    """Say whether the default mesh holds the errors, and how it compares with the cheapest."""
     default = MeshSettings()
     numbers = (default.cells_along, default.cells_across, default.grading)
     own = next(r for r in rows if (r["along"], r["across"], r["grading"]) == numbers)
-    cheapest = min(filter(_holds, rows), key=lambda row: row["seconds"])
+    holds = "holds both" if _holds(own) else "does not hold them"
+    text = f"Default: {_mesh(own)}, grading {own['grading']:g}, which {holds}; "
+    holding = [row for row in rows if _holds(row)]
+    if not holding:
+        return f"{text}no mesh that was tried holds both."
+    cheapest = min(holding, key=lambda row: row["seconds"])
     return (
-        f"Default: {own['along']} x {own['across']}, grading {own['grading']:g}; the cheapest here "
-        f"that holds: {cheapest['along']} x {cheapest['across']}, grading "
-        f"{cheapest['grading']:g}, at {cheapest['seconds'] / own['seconds']:.2f} of the time.\n\n"
+        f"{text}the cheapest here that holds: {_mesh(cheapest)}, grading "
+        f"{cheapest['grading']:g}, at {cheapest['seconds'] / own['seconds']:.2f} of the time."
     )
 
 
-def thin(content: dict[str, Any]) -> str:
-    """Return the section on thin sheets."""
-    rows = [
+def thin_sheets(sheets: Sequence[dict[str, Any]]) -> PageTable:
+    """Return the table of thin sheets."""
+    columns = (
+        "t/W", "cells", "unknowns", "status", "A/t", "lambda/W", "cells per wavelength",
+        "Newton iterations", "planar state", "wrinkled state", "peak memory",
+    )  # fmt: skip
+    return columns, [
         [
-            "t/W", "cells", "unknowns", "status", "A/t", "lambda/W", "cells per wavelength",
-            "Newton iterations", "planar state", "wrinkled state", "peak memory",
+            f"{sheet['thickness']:g}",
+            " x ".join(map(str, sheet["cells"])),
+            str(sheet["unknowns"]),
+            sheet["status"],
+            number(sheet["amplitude_over_thickness"], ".2f"),
+            number(sheet["wavelength"], ".4f"),
+            number(sheet["cells_per_wavelength"], ".1f"),
+            str(sheet["newton_iterations"]),
+            f"{sheet['planar_seconds']:.1f} s",
+            f"{sheet['wrinkle_seconds']:.1f} s",
+            f"{sheet['peak_mb']:.0f} MB",
         ]
-    ]  # fmt: skip
-    for sheet in content["sheets"]:
-        along, across = sheet["cells"]
-        rows.append(
-            [
-                f"{sheet['thickness']:g}",
-                f"{along} x {across}",
-                str(sheet["unknowns"]),
-                sheet["status"],
-                f"{sheet['amplitude_over_thickness']:.2f}",
-                f"{sheet['wavelength']:.4f}",
-                f"{sheet['cells_per_wavelength']:.1f}",
-                str(sheet["newton_iterations"]),
-                f"{sheet['planar_seconds']:.1f} s",
-                f"{sheet['wrinkle_seconds']:.1f} s",
-                f"{sheet['peak_mb']:.0f} MB",
-            ]
-        )
-    return THIN.format(strain=content["strain"]) + markdown(rows)
+        for sheet in sheets
+    ]
 
 
 def main(folder: Path, output: Path) -> None:
     """Write the page and print it."""
-    found = {name: json.loads((folder / f"{name}.json").read_text()) for name in SECTIONS}
-    machine = found["solver"]["machine_info"]["cpu"].get("brand_raw", "unknown processor")
-    text = TEXT.format(machine=machine, cores=found["study"]["cores"])
-    text += "".join(section(found[name]) for name, section in SECTIONS.items())
+    text = page({name: json.loads((folder / f"{name}.json").read_text()) for name in FILES})
     with atomic_path(output) as path:
-        path.write_text(text.rstrip() + "\n")
+        path.write_text(text, encoding="utf-8")
     print(text)
 
-
-SECTIONS = {"solver": solver, "study": study, "mesh": mesh, "thin": thin}
 
 if __name__ == "__main__":
     main(*map(Path, sys.argv[1:]))

@@ -1,5 +1,7 @@
-"""Evidence that the numbers are right: groups of checks, each a module with ``run(output)``.
+"""Evidence that the numbers are right, beside the library and outside its wheel.
 
-A group computes its checks, tables and plots and writes them as one JSON file with its plots beside
-it; `page` puts the groups together. A check that fails makes `gate` fail, never the group.
+`groups` has the groups of checks, `tools` what they compute with, `checks` what a group writes.
+`mutations` puts faults into copies of the library to see that the checks catch them, `machine`
+notes where all of it ran, `page` writes docs/verification.md, `gate` fails if a check did. The
+library never imports this package.
 """

@@ -3,12 +3,12 @@
 import math
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
-from pathlib import Path
 from typing import Any, Literal
 
 from wrinklestudy.results.files import read_json, write_json
+from wrinklestudy.typing import AnyPath
 
-Kind = Literal["absolute", "relative", "at most", "at least"]
+Comparison = Literal["absolute", "relative", "at most", "at least", "more than"]
 
 
 @dataclass(frozen=True)
@@ -25,8 +25,8 @@ class Check:
         Closed form, independent value or bound.
     tolerance : float
         Largest deviation, absolute or in parts of `expected`; not used for bounds.
-    kind : {'absolute', 'relative', 'at most', 'at least'}
-        How the two are compared.
+    kind : {'absolute', 'relative', 'at most', 'at least', 'more than'}
+        How the two are compared; 'more than' is not passed by the bound itself.
     reason : str
         Why this value and this tolerance.
     """
@@ -35,7 +35,7 @@ class Check:
     value: float
     expected: float
     tolerance: float = 0.0
-    kind: Kind = "relative"
+    kind: Comparison = "relative"
     reason: str = ""
 
     @property
@@ -47,6 +47,8 @@ class Check:
             return self.value <= self.expected
         if self.kind == "at least":
             return self.value >= self.expected
+        if self.kind == "more than":
+            return self.value > self.expected
         scale = abs(self.expected) if self.kind == "relative" else 1.0
         return abs(self.value - self.expected) <= self.tolerance * scale
 
@@ -70,7 +72,7 @@ class Table:
 
 @dataclass(frozen=True)
 class Group:
-    """Everything that one group of the verification found.
+    """Everything that one group of the verification computed.
 
     Parameters
     ----------
@@ -90,14 +92,27 @@ class Group:
     plots: Sequence[tuple[str, str]] = field(default_factory=tuple)
 
 
-def write(group: Group, output: Path | str) -> None:
+def conclusion(holds: bool, yes: str, no: str) -> str:
+    """Return the sentence that the numbers allow; NaN in a comparison makes it not hold.
+
+    Parameters
+    ----------
+    holds : bool
+        What was computed.
+    yes, no : str
+        What is said if it holds, and if it does not.
+    """
+    return yes if holds else no
+
+
+def write(group: Group, output: AnyPath) -> None:
     """Write a group as JSON, each check with its verdict."""
     content = asdict(group)
     content["checks"] = [asdict(check) | {"passed": check.passed} for check in group.checks]
     write_json(output, content)
 
 
-def read(path: Path | str) -> dict[str, Any]:
+def read(path: AnyPath) -> dict[str, Any]:
     """Return a group as plain values."""
     content: dict[str, Any] = read_json(path)
     return content

@@ -1,12 +1,13 @@
 """The last word of the verification: it fails if a check failed or a mutation went unnoticed."""
 
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 from verification.checks import read
-from verification.page import number, requirement
+from verification.page import requirement
 from wrinklestudy.results.files import read_json, write_json
+from wrinklestudy.study.pages import number
+from wrinklestudy.typing import AnyPath
 
 
 class VerificationError(ValueError):
@@ -14,7 +15,10 @@ class VerificationError(ValueError):
 
 
 def run(
-    groups: Sequence[Path | str], output: Path | str, mutations: Path | str | None = None
+    groups: Sequence[AnyPath],
+    output: AnyPath,
+    mutations: AnyPath | None = None,
+    page: AnyPath | None = None,  # noqa: ARG001
 ) -> None:
     """Write how many checks passed, if all of them did.
 
@@ -26,6 +30,8 @@ def run(
         JSON file with the number of checks of each group.
     mutations : path, optional
         JSON file of the mutations that were tried: each group needs one, and all must be caught.
+    page : path, optional
+        Not read: it must be there before this fails.
 
     Raises
     ------

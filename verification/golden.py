@@ -12,7 +12,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-from verification.sheets import LATEX, NEO_HOOKEAN, SVK, TEN_TO_ONE
+from verification.tools.sheets import LATEX, NEO_HOOKEAN, SVK, TEN_TO_ONE
 from wrinklestudy.fem.grid import MeshSettings
 from wrinklestudy.material.fit import fit
 from wrinklestudy.mechanics.laws import Material
@@ -50,7 +50,7 @@ class Golden:
 
 
 @dataclass(frozen=True)
-class Case:
+class KeptCase:
     """States of one sheet whose numbers are kept."""
 
     label: str
@@ -65,45 +65,45 @@ class Case:
 
 
 CASES = (
-    Case("latex", LATEX, (0.06, 0.12, 0.2, 0.3, 0.37), ("A/t", "Phi^2"), ("birth", "decay")),
-    Case(
+    KeptCase("latex", LATEX, (0.06, 0.12, 0.2, 0.3, 0.37), ("A/t", "Phi^2"), ("birth", "decay")),
+    KeptCase(
         "latex",
         LATEX,
         (0.12,),
         ("lambda/W", "W_act/W", "W_proj/W", "stress/mu", "energy", "saved", "tau_1"),
     ),
-    Case("latex symmetric", LATEX, (0.12,), parity="symmetric"),
-    Case("latex fixed", LATEX, (0.12,), ends=("decay",), bending="fixed-thickness"),
-    Case("latex fvk", LATEX, (0.12,), ends=("decay",), bending="fvk"),
-    Case("10:1 fvk", TEN_TO_ONE, (), ends=("decay",), bending="fvk"),
-    Case("neo-Hookean", NEO_HOOKEAN, (0.1,), ends=("decay",)),
-    Case("SVK fixed", SVK, (0.06,), ends=("decay",), bending="fixed-thickness"),
-    Case("latex L/W 2.5", LATEX, (0.1,), aspect=2.5),
-    Case("latex t/W 5e-4", LATEX, (0.1,), thickness=5.0e-4),
+    KeptCase("latex symmetric", LATEX, (0.12,), parity="symmetric"),
+    KeptCase("latex fixed", LATEX, (0.12,), ends=("decay",), bending="fixed-thickness"),
+    KeptCase("latex fvk", LATEX, (0.12,), ends=("decay",), bending="fvk"),
+    KeptCase("10:1 fvk", TEN_TO_ONE, (), ends=("decay",), bending="fvk"),
+    KeptCase("neo-Hookean", NEO_HOOKEAN, (0.1,), ends=("decay",)),
+    KeptCase("SVK fixed", SVK, (0.06,), ends=("decay",), bending="fixed-thickness"),
+    KeptCase("latex L/W 2.5", LATEX, (0.1,), aspect=2.5),
+    KeptCase("latex t/W 5e-4", LATEX, (0.1,), thickness=5.0e-4),
 )
 
 
 def _measured(state: State) -> dict[str, float]:
-    found, m = state.equilibrium, state.measures
-    if m is None or found.planar.modes is None:
-        raise ArithmeticError(f"strain {state.strain:g}: {state.status} {found.reason}")
-    modes = found.planar.modes
+    equilibrium, m = state.equilibrium, state.measures
+    modes = equilibrium.planar.modes
+    if m is None or modes is None:
+        raise ArithmeticError(f"strain {state.strain:g}: {state.status} {equilibrium.reason}")
     return {
-        "A/t": m.amplitude / found.thickness,
+        "A/t": m.amplitude / equilibrium.thickness,
         "Phi^2": m.phi_squared,
         "lambda/W": m.wavelength,
         "W_act/W": m.arc_width,
         "W_proj/W": m.projected_width,
-        "stress/mu": found.nominal_stress,
-        "energy": found.energy,
-        "saved": found.flat_energy - found.energy,
+        "stress/mu": equilibrium.nominal_stress,
+        "energy": equilibrium.energy,
+        "saved": equilibrium.flat_energy - equilibrium.energy,
         "tau_1": modes.critical_thickness,
     }
 
 
 def numbers(cells: tuple[int, int]) -> dict[str, float]:
     """Return all numbers that come from a mesh, by name."""
-    found: dict[str, float] = {}
+    result: dict[str, float] = {}
     for case in CASES:
         sheet = Sheet(
             case.aspect,
@@ -116,14 +116,14 @@ def numbers(cells: tuple[int, int]) -> dict[str, float]:
         for strain in case.strains:
             values = _measured(sheet.solve(strain))
             for measure in case.measures:
-                found[f"{case.label}: {measure} at {strain:g}"] = values[measure]
+                result[f"{case.label}: {measure} at {strain:g}"] = values[measure]
         if case.ends:
             ends = sheet.stability()
             by_name = {"birth": ends.birth_strain, "decay": ends.decay_strain}
             for end in case.ends:
                 value = by_name[end]
-                found[f"{case.label}: {end}"] = float("nan") if value is None else value
-    return found
+                result[f"{case.label}: {end}"] = float("nan") if value is None else value
+    return result
 
 
 def constants() -> dict[str, float]:
@@ -140,18 +140,18 @@ def constants() -> dict[str, float]:
 def golden() -> dict[str, Golden]:
     """Return the numbers of the default mesh with their tolerances."""
     default, finer = numbers(DEFAULT), numbers(FINER)
-    found = {}
+    result = {}
     for name, value in default.items():
         least = max(_LEAST[DISCRETISATION] * abs(value), _STRAIN * name.endswith(_ENDS))
         change = abs(finer[name] - value)
         basis = DISCRETISATION if change > least else SEARCH
-        found[name] = Golden(value, max(change, least), basis)
+        result[name] = Golden(value, max(change, least), basis)
     for name, value in constants().items():
-        found[name] = Golden(value, _LEAST[ROUNDING] * abs(value), ROUNDING)
-    return found
+        result[name] = Golden(value, _LEAST[ROUNDING] * abs(value), ROUNDING)
+    return result
 
 
-def write(numbers_found: dict[str, Golden], output: Path) -> None:
+def write(kept: dict[str, Golden], output: Path) -> None:
     """Write golden numbers as a new CSV file.
 
     Raises
@@ -170,8 +170,9 @@ def write(numbers_found: dict[str, Golden], output: Path) -> None:
         )
         rows = csv.writer(file, lineterminator="\n")
         rows.writerow(COLUMNS)
-        for name, one in numbers_found.items():
-            rows.writerow([name, f"{one.value:.12g}", f"{one.tolerance:.3g}", one.basis])
+        for name, number in kept.items():
+            cells = (f"{number.value:.12g}", f"{number.tolerance:.3g}", number.basis)
+            rows.writerow([name, *cells])
 
 
 def read(path: Path) -> dict[str, Golden]:
@@ -186,14 +187,14 @@ def read(path: Path) -> dict[str, Golden]:
     rows = list(csv.reader(line for line in lines if not line.startswith("#")))
     if not rows or tuple(rows[0]) != COLUMNS:
         raise ValueError(f"{path}: the first line must be {','.join(COLUMNS)}")
-    found = {}
+    kept = {}
     for row in rows[1:]:
         try:
             name, value, tolerance, basis = row
-            found[name] = Golden(float(value), float(tolerance), basis)
+            kept[name] = Golden(float(value), float(tolerance), basis)
         except ValueError:
             raise ValueError(f"{path}: {','.join(row)!r} is not {','.join(COLUMNS)}") from None
-    return found
+    return kept
 
 
 if __name__ == "__main__":

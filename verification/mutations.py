@@ -19,11 +19,12 @@ from textwrap import shorten
 from wrinklestudy.results.files import write_json
 from wrinklestudy.study.digest import PACKAGE, SOURCE
 
+PROJECT = Path(__file__).resolve().parents[1]  # where the package `verification` lies
 _LIMIT = 300.0  # seconds
 _WIDTH = 160  # of a message
 _CHECKS = (
     "import json, wrinklestudy\n"
-    "from verification import {group}\n"
+    "from verification.groups import {group}\n"
     "failed = [check.name for check in {group}.quick() if not check.passed]\n"
     "print(json.dumps([wrinklestudy.__file__, failed]))"
 )
@@ -225,7 +226,8 @@ def failures(source: Path, group: str) -> list[str]:
     RuntimeError
         If another copy of the package was loaded.
     """
-    environment = os.environ | {"PYTHONPATH": str(source), "PYTHONDONTWRITEBYTECODE": "1"}
+    path = os.pathsep.join([str(source), str(PROJECT)])
+    environment = os.environ | {"PYTHONPATH": path, "PYTHONDONTWRITEBYTECODE": "1"}
     command = [sys.executable, "-W", "ignore", "-c", _CHECKS.format(group=group)]
     try:
         done = subprocess.run(

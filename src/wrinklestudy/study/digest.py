@@ -3,6 +3,7 @@
 Snakemake sees neither an edit in an imported package nor less than a whole script. Each rule
 therefore gets the digest of its script and of all modules of this package that the script imports,
 directly or through others. Only the syntax trees count, without docstrings, comments and layout.
+Templates of pages lie in a package of their own: whoever imports it has their texts in its digest.
 """
 
 import ast
@@ -37,6 +38,9 @@ def code_digest(
     parts = [_read(Path(script))[0]]
     for name, path in sorted(modules(script, also, sources).items()):
         parts += [name, _read(path)[0]]
+        if path.name == "__init__.py":
+            texts = sorted(path.parent.glob("*.j2"))
+            parts += [part for text in texts for part in (text.name, text.read_text("utf-8"))]
     return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:16]
 
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from verification.sheets import LATEX, THICKNESS, quarter, wrinkled
+from verification.tools.sheets import LATEX, THICKNESS, quarter, wrinkled
 from wrinklestudy.equilibrium import continuation, stability
 from wrinklestudy.equilibrium.continuation import (
     BranchPoint,

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from verification.mirrors import whole_sheet_inertia
-from verification.sheets import (
+from verification.tools.mirrors import whole_sheet_inertia
+from verification.tools.sheets import (
     LATEX,
     PARITIES,
     bending_square,

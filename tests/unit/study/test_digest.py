@@ -135,3 +135,31 @@ def test_no_stage_imports_the_command_line_or_the_config():
     for script in scripts.glob("*.py"):
         found = modules(script)
         assert not {"wrinklestudy.cli", "wrinklestudy.study.config"} & found.keys(), script.name
+
+
+def test_the_templates_of_a_package_count_where_it_is_imported(source):
+    (source / "src/wrinklestudy/pages.py").write_text("from wrinklestudy import templates\n")
+    folder = source / "src" / "wrinklestudy" / "templates"
+    folder.mkdir()
+    (folder / "__init__.py").write_text("")
+    (folder / "page.html.j2").write_text("<p>{{ text }}</p>")
+    (source / "claims.py").write_text("from wrinklestudy import pages\n")
+    before = [digest(source, stage) for stage in ("claims", "planar")]
+    (folder / "page.html.j2").write_text("<b>{{ text }}</b>")
+    after = [digest(source, stage) for stage in ("claims", "planar")]
+    assert before[0] != after[0]
+    assert before[1] == after[1]
+
+
+def test_code_may_lie_in_several_folders(source, tmp_path):
+    beside = tmp_path / "beside" / "evidence"
+    beside.mkdir(parents=True)
+    (beside / "__init__.py").write_text("")
+    (beside / "checks.py").write_text("from wrinklestudy.laws import Law\n")
+    script = source / "evidence.py"
+    script.write_text("from evidence import checks\n")
+    sources = [source / "src", tmp_path / "beside"]
+    assert set(modules(script, sources=sources)) == {"evidence.checks", "wrinklestudy.laws"}
+    before = code_digest(script, sources=sources)
+    (beside / "checks.py").write_text("from wrinklestudy.laws import Law\n\nBOUND = 1\n")
+    assert code_digest(script, sources=sources) != before

@@ -9,9 +9,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from verification import gate, page
+from verification import gate, machine, page
 from verification.checks import Check, Group, Table, read, write
 from wrinklestudy.results.files import write_json
+from wrinklestudy.study.pages import anchor, markdown
 
 ROOT = Path(__file__).parents[3]
 NUMBERS = st.floats(allow_nan=False, allow_infinity=False)
@@ -30,13 +31,15 @@ NUMBERS = st.floats(allow_nan=False, allow_infinity=False)
         (Check("", 1.1, 1.0, 9.0, kind="at most"), False),
         (Check("", 1.0, 1.0, kind="at least"), True),
         (Check("", 0.9, 1.0, 9.0, kind="at least"), False),
+        (Check("", 1e-300, 0.0, kind="more than"), True),
+        (Check("", 0.0, 0.0, kind="more than"), False),
     ],
 )
 def test_verdict(check, passed):
     assert check.passed is passed
 
 
-@pytest.mark.parametrize("kind", ["relative", "absolute", "at most", "at least"])
+@pytest.mark.parametrize("kind", ["relative", "absolute", "at most", "at least", "more than"])
 @given(expected=NUMBERS)
 def test_what_is_not_a_number_never_passes(kind, expected):
     assert not Check("", math.nan, expected, 1.0, kind).passed
@@ -78,8 +81,8 @@ def test_page_shows_texts_tables_verdicts_and_plots(groups, mutations, tmp_path)
     assert "| one | 1.23457 |" in text
     assert "| none | no number |" in text
     assert "| a \\| b | 1 | 1 to 1.0e-03 of it | passed | it is so |" in text
-    assert text.count("**FAILED**") == 2  # on top of its group and among all its checks
-    assert "`` a + b `` became `` a - b ``): caught by energy." in text
+    assert text.count("| FAILED |") == 2  # on top of its group and among all its checks
+    assert "`a + b` became `a - b`): caught by energy." in text
     assert "**nothing caught it**" in text
     assert "![A plot](verification/good.png)" in text
     assert (tmp_path / "docs" / "verification" / "good.png").read_bytes() == b"picture"
@@ -92,11 +95,40 @@ def test_page_is_the_same_twice(groups, tmp_path):
     assert outputs[0].read_bytes() == outputs[1].read_bytes()
 
 
-@given(rows=st.lists(st.lists(st.text(), min_size=2, max_size=2), max_size=4))
-def test_any_text_stays_in_its_cell(rows):
-    lines = page.table(("a", "b"), rows).split("\n")
-    assert len(lines) == len(rows) + 3
-    assert all(line.replace("\\|", "").count("|") == 3 for line in lines[:-1])
+@pytest.mark.parametrize("name", ["a <b>bold</b> check", "a `check` | *here*"])
+def test_names_on_the_page_are_only_text(name, tmp_path):
+    bad = Check(name, 2.0, 1.0, reason=name)
+    write(Group("odd", name, "", [bad], [Table(name, (name,), [[name]])]), tmp_path / "odd.json")
+    page.run([tmp_path / "odd.json"], None, tmp_path / "page.md")
+    text = (tmp_path / "page.md").read_text()
+    assert name not in text.replace(f"(#{anchor(name)})", "")
+    # title, heading, title of the table, column, cell, and name and reason of the check twice
+    assert text.count(markdown(name)) == 9
+
+
+def test_the_page_says_where_it_ran(groups, tmp_path):
+    versions = {"Python": "3.11.7"}
+    noted = {"processor": "x86_64, A | B", "system": "Linux", "kernels": ["openblas 0.3 (Zen)"]}
+    write_json(tmp_path / "m.json", noted | {"factorisation": "SuperLU", "versions": versions})
+    page.run(groups, None, tmp_path / "page.md", tmp_path / "m.json")
+    last = (tmp_path / "page.md").read_text().rstrip().splitlines()[-1]
+    assert last == (
+        "x86_64, A \\| B, Linux; BLAS: openblas 0.3 (Zen); sparse factorisation: `SuperLU`; "
+        "Python 3.11.7."
+    )
+
+
+def test_the_model_of_the_processor_is_read_without_anything_that_names_the_machine(tmp_path):
+    text = "processor\t: 0\nmodel name\t: AMD EPYC\nserial\t: 17\n\nprocessor\t: 1\n"
+    (tmp_path / "cpuinfo").write_text(text)
+    assert machine.processor(tmp_path / "cpuinfo") == "AMD EPYC"
+    assert machine.processor(tmp_path / "nothing") == "model unknown"
+
+
+def test_this_machine_has_a_blas_and_versions():
+    facts = machine.facts()
+    assert facts["kernels"]
+    assert {"Python", "numpy", "scipy"} <= set(facts["versions"])
 
 
 def test_gate_names_every_failure_on_its_line(groups, mutations, tmp_path):
@@ -133,7 +165,7 @@ def groups_of_the_workflow():
 @pytest.mark.parametrize("name", groups_of_the_workflow())
 def test_every_group_of_the_workflow_can_run(name):
     """The module is there and has what workflow and mutations call, without importing it."""
-    spec = importlib.util.find_spec(f"verification.{name}")
+    spec = importlib.util.find_spec(f"verification.groups.{name}")
     assert spec is not None
     tree = ast.parse(Path(spec.origin).read_text())
     functions = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}

@@ -3,13 +3,15 @@
 import math
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from html import escape
+from dataclasses import dataclass
+from typing import Any
 
 from wrinklestudy.results.sheets import SheetStates
 from wrinklestudy.study.catalogue import Catalogue
 from wrinklestudy.study.claims.extra_table import ExtraTable
 from wrinklestudy.study.claims.finding import VERDICTS, Claim, Finding, Verdict
 from wrinklestudy.study.claims.tables import StudyTables
+from wrinklestudy.study.pages import number, render
 
 _CLASSES: dict[Verdict, str] = {
     "agree": "agree",
@@ -18,44 +20,14 @@ _CLASSES: dict[Verdict, str] = {
     "not computed": "missing",
 }
 
-_STYLE = """
-:root { --agree: #00664a; --disagree: #a33b00; --depends: #7a5c00; --missing: #555; }
-* { box-sizing: border-box; }
-body { font: 15px/1.5 system-ui, sans-serif; color: #1a1a1a; background: #fff;
-  max-width: 66rem; margin: 2rem auto; padding: 0 1rem; }
-h1 { font-size: 1.6rem; line-height: 1.25; margin-bottom: .3rem; }
-h2 { font-size: 1.2rem; margin: 2.2rem 0 .6rem; }
-.overview td, .overview th { padding: .2rem .5rem; }
-.counts { display: flex; flex-wrap: wrap; gap: .6rem; margin: 1rem 0; padding: 0;
-  list-style: none; }
-.counts li { border: 1px solid; border-radius: .4rem; padding: .35rem .8rem; font-weight: 600; }
-.agree { color: var(--agree); } .disagree { color: var(--disagree); }
-.depends { color: var(--depends); } .missing { color: var(--missing); }
-article { border: 1px solid #ccc; border-left: .4rem solid; border-radius: .3rem;
-  margin: .9rem 0; padding: .6rem .9rem; break-inside: avoid; }
-article > * { color: #1a1a1a; }
-article header { display: flex; flex-wrap: wrap; gap: .2rem .8rem; align-items: baseline; }
-.number { font-weight: 600; min-width: 1.6rem; } .place { color: #555; flex: 1; }
-.verdict { font-weight: 700; }
-blockquote { margin: .3rem 0 .5rem; font-family: Georgia, serif; font-size: 1.05rem; }
-dl { display: grid; grid-template-columns: 6.5rem 1fr; gap: .15rem .8rem; margin: 0; }
-dt { color: #555; } dd { margin: 0; }
-dd.values { display: grid; grid-template-columns: auto 1fr; column-gap: 1rem; }
-table { border-collapse: collapse; width: 100%; font-size: .78rem;
-  font-variant-numeric: tabular-nums; }
-th, td { text-align: right; padding: .2rem .3rem; border-bottom: 1px solid #ddd;
-  white-space: nowrap; }
-th:first-child, td:first-child { text-align: left; }
-thead th { border-bottom: 2px solid #999; vertical-align: bottom; }
-.overview td { text-align: left; vertical-align: top; white-space: normal; }
-.overview td:first-child { text-align: right; } .overview td:last-child { white-space: nowrap; }
-.scroll { overflow-x: auto; }
-.cases { color: #555; font-size: .88rem; }
-footer { margin: 2.5rem 0; border-top: 1px solid #ccc; padding-top: .6rem; color: #444;
-  font-size: .9rem; }
-@media (max-width: 36rem) { dl, dd.values { grid-template-columns: 1fr; } }
-"""
-
+_TITLE = (
+    "Claims of “Birth and decay of tensional wrinkles in hyperelastic sheets” against the computed "
+    "study"
+)
+_PAPER = (
+    "A. Panaitescu, M. Xin, B. Davidovitch, J. Chopin, A. Kudrolli, Phys. Rev. E 100, 053003 "
+    "(2019)."
+)
 _FOOTNOTE = (
     "Tolerances are stated with each claim and stand beside its rule in the program; every verdict "
     "follows from the computed numbers by that rule. “Depends on”: the verdict is another one for "
@@ -65,6 +37,27 @@ _FOOTNOTE = (
     "computed states. What only an experiment can tell (plasticity, scatter, errors, agreement "
     "with measured profiles) is not listed."
 )
+
+
+@dataclass(frozen=True)
+class PageTable:
+    """A table of the page besides the claims.
+
+    Parameters
+    ----------
+    title : str
+        Its heading.
+    columns : sequence of str
+    rows : sequence of sequences of str
+        May be empty: the note then says what is missing.
+    note : str
+        What stands below.
+    """
+
+    title: str
+    columns: Sequence[str]
+    rows: Sequence[Sequence[str]]
+    note: str = ""
 
 
 def html_page(
@@ -85,89 +78,46 @@ def html_page(
     tables : sequence of ExtraTable
         Those of the catalogue, in its order.
     """
-    name, aspect, thickness = study.wanted
-    sections = [
-        f"<h1>Claims of “{escape(catalogue.title)}” against the computed study</h1>",
-        f"<p>{escape(f'{catalogue.citation} '.lstrip())}The sheet of the text is {escape(name)}, "
-        f"L/W = {aspect:g}, t/W = {thickness:g}.</p>",
-        _counts(found),
-        "<h2>Overview</h2>",
-        _overview(found),
-        "<h2>Claims, in the order of the publication</h2>",
-        *(_article(k, claim, finding) for k, (claim, finding) in enumerate(found, 1)),
-        *(
-            f"<h2>{escape(entry.title)}</h2>\n{_extra_table(table)}"
-            for entry, table in zip(catalogue.tables, tables, strict=True)
-        ),
-        "<h2>Sheets of the study</h2>",
-        _sheets(study.sheets),
-        f"<footer><p>{_FOOTNOTE}</p></footer>",
-    ]
-    body = "\n".join(sections)
-    return (
-        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f"<title>Claims and computed values</title>\n<style>{_STYLE}</style>\n</head>\n"
-        f"<body>\n{body}\n</body>\n</html>\n"
-    )
-
-
-def _counts(found: Sequence[tuple[Claim, Finding]]) -> str:
     number = Counter(finding.verdict for _, finding in found)
-    items = (
-        f'<li class="{_CLASSES[verdict]}">{number[verdict]} {verdict}</li>' for verdict in VERDICTS
-    )
-    return f'<ul class="counts">{"".join(items)}</ul>'
-
-
-def _overview(found: Sequence[tuple[Claim, Finding]]) -> str:
-    rows = "\n".join(
-        f"<tr><td>{number}</td><td>{escape(claim.statement)}</td>"
-        f'<td class="{_CLASSES[finding.verdict]}">{finding.verdict}</td></tr>'
-        for number, (claim, finding) in enumerate(found, 1)
-    )
-    return f'<table class="overview"><tbody>\n{rows}\n</tbody></table>'
-
-
-def _article(number: int, claim: Claim, finding: Finding) -> str:
-    kind = _CLASSES[finding.verdict]
-    verdict = escape(f"{finding.verdict} {finding.depends_on}".strip())
-    entries = [("Reading", escape(claim.reading))] if claim.reading else []
-    if finding.values:
-        cells = "".join(
-            f"<span>{escape(value.name)}</span><b>{escape(value.text)}</b>"
-            for value in finding.values
-        )
-        entries.append(("Computed", cells))
-    entries.append(("Tolerance", escape(claim.tolerance)))
-    if finding.explanation:
-        entries.append(("Finding", escape(finding.explanation)))
-    if finding.sheets:
-        cases = "; ".join(escape(sheet.label) for sheet in finding.sheets)
-        entries.append(("Cases", f'<span class="cases">{cases}</span>'))
-    rows = "\n".join(
-        f"<dt>{name}</dt><dd{_values_class(name)}>{content}</dd>" for name, content in entries
-    )
-    return (
-        f'<article class="{kind}" id="{claim.key}">\n'
-        f'<header><span class="number">{number}</span>'
-        f'<span class="place">{escape(claim.place)}</span>'
-        f'<span class="verdict {kind}">{verdict}</span></header>\n'
-        f"<blockquote>{escape(claim.statement)}</blockquote>\n<dl>\n{rows}\n</dl>\n</article>"
+    name, aspect, thickness = study.wanted
+    return render(
+        "claims.html.j2",
+        title=f"Claims of “{catalogue.title}” against the computed study",
+        source=f"{catalogue.citation} The sheet of the text is {name}, L/W = {aspect:g}, "
+        f"t/W = {thickness:g}.".lstrip(),
+        counts={verdict: number[verdict] for verdict in VERDICTS},
+        classes=_CLASSES,
+        claims=[_entry(k, claim, finding) for k, (claim, finding) in enumerate(found, 1)],
+        tables=[
+            *(
+                PageTable(entry.title, table.head, table.cells, table.note)
+                for entry, table in zip(catalogue.tables, tables, strict=True)
+            ),
+            _sheets(study.sheets),
+        ],
+        footnote=_FOOTNOTE,
     )
 
 
-def _values_class(name: str) -> str:
-    return ' class="values"' if name == "Computed" else ""
+def _entry(number: int, claim: Claim, finding: Finding) -> dict[str, Any]:
+    """Return what the template says of a claim."""
+    return {
+        "number": number,
+        "key": claim.key,
+        "place": claim.place,
+        "statement": claim.statement,
+        "reading": claim.reading,
+        "tolerance": claim.tolerance,
+        "kind": _CLASSES[finding.verdict],
+        "verdict": finding.verdict,
+        "depends_on": finding.depends_on,
+        "computed": finding.values,
+        "explanation": finding.explanation,
+        "sheets": finding.sheets,
+    }
 
 
-def _extra_table(table: ExtraTable) -> str:
-    shown = _table(table.head, table.cells) if table.head else ""
-    kind = ' class="cases"' if shown else ""
-    return f"{shown}<p{kind}>{escape(table.note)}</p>"
-
-
-def _sheets(sheets: Iterable[SheetStates]) -> str:
+def _sheets(sheets: Iterable[SheetStates]) -> PageTable:
     head = (
         "model",
         "law",
@@ -185,7 +135,7 @@ def _sheets(sheets: Iterable[SheetStates]) -> str:
         "failed",
         "cells",
     )
-    return _table(head, (_sheet(sheet) for sheet in sheets))
+    return PageTable("Sheets of the study", head, [_sheet(sheet) for sheet in sheets])
 
 
 def _sheet(sheet: SheetStates) -> tuple[str, ...]:
@@ -198,26 +148,11 @@ def _sheet(sheet: SheetStates) -> tuple[str, ...]:
         sheet.parity,
         f"{sheet.aspect:g}",
         f"{sheet.thickness:g}",
-        _number(sheet.birth, ".4f"),
-        _number(sheet.decay, ".4f"),
-        _number(sheet.max_critical_thickness, ".2e"),
-        _number(sheet.peak.get("max_amplitude_over_thickness", math.nan), ".3f"),
-        _number(sheet.peak.get("strain_at_max_amplitude", math.nan), ".3f"),
+        number(sheet.birth, ".4f", missing=""),
+        number(sheet.decay, ".4f", missing=""),
+        number(sheet.max_critical_thickness, ".2e", missing=""),
+        number(sheet.peak.get("max_amplitude_over_thickness", math.nan), ".3f", missing=""),
+        number(sheet.peak.get("strain_at_max_amplitude", math.nan), ".3f", missing=""),
         *(str(states[status]) for status in ("wrinkled", "flat", "not-converged")),
-        " x ".join(_number(value, ".0f") for value in cells),
-    )
-
-
-def _number(value: float, form: str) -> str:
-    return "" if math.isnan(value) else format(value, form)
-
-
-def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    top = "".join(f"<th>{escape(cell)}</th>" for cell in head)
-    lines = "\n".join(
-        f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows
-    )
-    return (
-        f'<div class="scroll"><table>\n<thead><tr>{top}</tr></thead>\n'
-        f"<tbody>\n{lines}\n</tbody></table></div>"
+        " x ".join(number(value, ".0f", missing="") for value in cells),
     )
