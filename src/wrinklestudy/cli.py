@@ -7,6 +7,8 @@ import sys
 from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
+from wrinklestudy.vocabulary import BENDING_LAWS, CELLS, PARITIES, STRAIN
+
 if TYPE_CHECKING:
     from wrinklestudy.mechanics.laws import Material
     from wrinklestudy.sheet import Sheet
@@ -66,8 +68,8 @@ def _add_sheet(parser: argparse.ArgumentParser) -> None:
     add("--c01", type=_number, help="C01 in Pa (mooney-rivlin)")
     add("--young", type=_number, help="Young's modulus in Pa (svk, default 1e6)")
     add("--poisson", type=_number, help="Poisson's ratio (svk, default 0.5)")
-    add("--bending", choices=("thinning", "fixed-thickness", "fvk"), default="thinning")
-    add("--parity", choices=("antisymmetric", "symmetric"), default="antisymmetric")
+    add("--bending", choices=BENDING_LAWS, default="thinning")
+    add("--parity", choices=PARITIES, default="antisymmetric")
     add("--cells-along", type=int, help="cells on half the length of the reference sheet L/W = 2")
     add("--cells-across", type=int, help="cells on half the width at t/W = 1e-3")
     add("--json", action="store_true", help="print JSON")
@@ -101,8 +103,8 @@ def _sheet(arguments: argparse.Namespace) -> "Sheet":
         if getattr(arguments, key) is not None
     }
     for key, value in cells.items():
-        if not 2 <= value <= 500:
-            raise ValueError(f"--{key.replace('_', '-')} = {value}: must be >= 2 and <= 500")
+        if value not in CELLS:
+            raise ValueError(f"--{key.replace('_', '-')} = {value}: must be {CELLS}")
     return Sheet(
         arguments.aspect,
         arguments.thickness,
@@ -116,8 +118,8 @@ def _sheet(arguments: argparse.Namespace) -> "Sheet":
 def _solve(arguments: argparse.Namespace) -> list[dict[str, Any]]:
     sheet = _sheet(arguments)
     for strain in arguments.strain:
-        if not 0 < strain <= 1:
-            raise ValueError(f"--strain = {strain:g}: must be > 0 and <= 1")
+        if strain not in STRAIN:
+            raise ValueError(f"--strain = {strain:g}: must be {STRAIN}")
     return [sheet.solve(strain).as_dict() for strain in _progress(arguments.strain)]
 
 

@@ -11,9 +11,15 @@ from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics.laws import Material
 from wrinklestudy.metrics.measure import Measures, measure_position
 from wrinklestudy.results.cases import resolved_thickness
-from wrinklestudy.vocabulary import BENDING_LAWS, Bending, Parity
-
-PARITIES = ("antisymmetric", "symmetric")
+from wrinklestudy.vocabulary import (
+    ASPECT,
+    BENDING_LAWS,
+    PARITIES,
+    STRAIN,
+    THICKNESS,
+    Bending,
+    Parity,
+)
 
 
 @dataclass(frozen=True)
@@ -116,10 +122,10 @@ class Sheet:
     mesh: MeshSettings = field(default_factory=MeshSettings)
 
     def __post_init__(self) -> None:
-        if not 0.5 <= self.aspect <= 20:
-            raise ValueError(f"aspect = {self.aspect:g}: must be >= 0.5 and <= 20 (L/W)")
-        if not 0 < self.thickness <= 0.05:
-            raise ValueError(f"thickness = {self.thickness:g}: must be > 0 and <= 0.05 (t/W)")
+        if self.aspect not in ASPECT:
+            raise ValueError(f"aspect = {self.aspect:g}: must be {ASPECT}")
+        if self.thickness not in THICKNESS:
+            raise ValueError(f"thickness = {self.thickness:g}: must be {THICKNESS}")
         if self.bending not in BENDING_LAWS:
             allowed = ", ".join(BENDING_LAWS)
             raise ValueError(f"bending = {self.bending!r}: must be one of {allowed}")
@@ -150,8 +156,8 @@ class Sheet:
         ValueError
             If the strain is not allowed.
         """
-        if not 0 < strain <= 1:
-            raise ValueError(f"strain = {strain:g}: must be > 0 and <= 1")
+        if strain not in STRAIN:
+            raise ValueError(f"strain = {strain:g}: must be {STRAIN}")
         start = perf_counter()
         flat = planar.solve(self.space, self.material, strain, self.settings)
         found = wrinkled.solve(flat, self.thickness, settings)

@@ -85,8 +85,18 @@ def test_a_range_has_exact_decimals_and_both_ends(first, count, width):
     assert values == tuple((first + k * width) / 1000 for k in range(count + 1))
 
 
-def test_a_range_ends_before_a_stop_between_its_values():
-    assert cases.strain_range(0.1, 0.25, 0.1) == (0.1, 0.2)
+@given(st.integers(1, 400), st.integers(1, 9), st.integers(2, 100), st.data())
+def test_a_stop_between_two_values_is_refused_with_the_nearest_ones(first, count, width, data):
+    """Of the two ends that are offered each is one, and a strain."""
+    start, step = first / 1000, width / 1000
+    low = first + count * width
+    stop = (low + data.draw(st.integers(1, width - 1))) / 1000
+    with pytest.raises(ValueError, match="whole number of steps") as caught:
+        cases.strain_range(start, stop, step)
+    offered = [float(text) for text in str(caught.value).rpartition(": ")[2].split(" or ") if text]
+    assert offered == [end / 1000 for end in (low, low + width) if end <= 1000]
+    for end in offered:
+        assert cases.strain_range(start, end, step)[-1] == end
 
 
 @pytest.mark.parametrize(("start", "stop", "step"), [(0.2, 0.1, 0.1), (0.1, 0.2, 0.0)])

@@ -50,7 +50,7 @@ STRAIN = ("sheets", 0, "strain")
         (STRAIN, [0.0], "sheets[0].strain[0] = 0.0: must be a number > 0 and <= 1"),
         (STRAIN, [True], "sheets[0].strain[0] = true: must be a number > 0 and <= 1"),
         (STRAIN, [None], "sheets[0].strain[0] = null: must be a number > 0 and <= 1"),
-        (STRAIN, ["0.1"], "sheets[0].strain[0] = '0.1': must be a number > 0 and <= 1"),
+        (STRAIN, ["0_1"], "sheets[0].strain[0] = '0_1': must be a number > 0 and <= 1"),
         (STRAIN, [math.nan], "sheets[0].strain[0] = nan: must be a number > 0 and <= 1"),
         (STRAIN, 0.1, "sheets[0].strain = 0.1: must be a list with at least one entry"),
         (
