@@ -1,24 +1,24 @@
 rule claims:
     input:
-        states=PATHS.pattern("summary"),
-        stability=PATHS.pattern("summary_stability"),
-        peaks=PATHS.pattern("summary_peaks"),
+        states=PATHS.pattern("summary", "states"),
+        stability=PATHS.pattern("summary", "stability"),
+        peaks=PATHS.pattern("summary", "peaks"),
         materials=[PATHS.of("material", material=name) for name in sorted(STUDY.materials)],
     output:
         csv=report(
-            PATHS.pattern("claims"),
+            PATHS.pattern("claims", "csv"),
             caption="../report/claims.rst",
             category=config_figures.TABLES,
             labels={"figure": "", "shows": "claims (CSV)"},
         ),
         page=report(
-            PATHS.pattern("claims_page"),
+            PATHS.pattern("claims", "page"),
             caption="../report/claims.rst",
             category=config_figures.TABLES,
             labels={"figure": "", "shows": "claims"},
         ),
         table=report(
-            PATHS.pattern("claims_table"),
+            PATHS.pattern("claims", "table"),
             caption="../report/table1.rst",
             category=config_figures.TABLES,
             labels={"figure": "", "shows": "Table I with computed values (CSV)"},
@@ -29,7 +29,7 @@ rule claims:
     resources:
         mem_mb=500,
     params:
-        sheet=list(astuple(STUDY.figure_sheet)),
+        sheet=astuple(STUDY.figure_sheet),
         code=code("claims"),
     script:
-        "../scripts/claims.py"
+        "../scripts/stage.py"

@@ -3,9 +3,9 @@ rule figures:
     input:
         unpack(inputs_of_figure),
     output:
-        PATHS.figure(".pdf"),
-        report(
-            PATHS.figure(".png"),
+        pdf=PATHS.pattern("figures", "pdf"),
+        png=report(
+            PATHS.pattern("figures", "png"),
             caption="../report/figures.rst",
             category=lambda wildcards: config_figures.CONTENTS[wildcards.figure].part,
             labels=lambda wildcards: config_figures.labels(wildcards.figure),
@@ -16,11 +16,15 @@ rule figures:
     resources:
         mem_mb=1000,
     params:
-        # for the caption
-        cases=of_figure(config_figures.cases_text),
-        mesh=of_figure(config_figures.mesh_text),
+        name=wildcard("figure"),
+        caption=of_figure(
+            lambda *shown: {
+                "cases": config_figures.cases_text(*shown),
+                "mesh": config_figures.mesh_text(*shown),
+            }
+        ),
         code=lambda wildcards: code(
             "figures", f"wrinklestudy.studies.panaitescu2019.figures.{wildcards.figure}"
         ),
     script:
-        "../scripts/figures.py"
+        "../scripts/stage.py"

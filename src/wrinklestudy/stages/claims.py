@@ -1,6 +1,6 @@
 """The claims stage: every statement of a study with a verdict."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from wrinklestudy.typing import AnyPath
 
@@ -11,9 +11,7 @@ def run(
     peaks: AnyPath,
     materials: Sequence[AnyPath],
     sheet: tuple[str, float, float],
-    output: AnyPath,
-    page: AnyPath,
-    table: AnyPath,
+    output: Mapping[str, AnyPath],
 ) -> None:
     """Judge all claims and write the table of claims, a page to read and the paper's Table I.
 
@@ -28,12 +26,9 @@ def run(
         Files of the material stage.
     sheet : tuple of (str, float, float)
         Model, L/W and t/W of the sheet that the paper's text is about.
-    output : path-like
-        CSV file of the claims, columns `write.CLAIM_COLUMNS`.
-    page : path-like
-        HTML page, complete in itself.
-    table : path-like
-        CSV file of Table I, columns `table1.COLUMNS`.
+    output : mapping
+        Files to write: ``csv``, the claims (columns `write.CLAIM_COLUMNS`), ``page``, an HTML page
+        that is complete in itself, and ``table``, Table I as CSV (columns `table1.COLUMNS`).
 
     Raises
     ------
@@ -50,6 +45,6 @@ def run(
     found = [(claim, claim.found(study)) for claim in CLAIMS]
     lines = table1.rows(study)
     text = html_page(study, found, lines)
-    write.claims(output, found)
-    write.table1(table, lines)
-    write.text(page, text)
+    write.claims(output["csv"], found)
+    write.table1(output["table"], lines)
+    write.text(output["page"], text)

@@ -1,6 +1,6 @@
 """The figures stage: one figure in each of the formats asked for."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from importlib import import_module
 from os import PathLike
 from pathlib import Path
@@ -14,7 +14,7 @@ SUFFIXES = (".pdf", ".png", ".svg")
 def run(
     name: str,
     *,
-    output: AnyPath | Sequence[AnyPath],
+    output: AnyPath | Sequence[AnyPath] | Mapping[str, AnyPath],
     metrics: Sequence[AnyPath] = (),
     stability: Sequence[AnyPath] = (),
     materials: Sequence[AnyPath] = (),
@@ -31,7 +31,7 @@ def run(
     ----------
     name : str
         One of `FIGURES`.
-    output : path-like or sequence of path-like
+    output : path-like, sequence or mapping of path-like
         Files to write; the suffix (.pdf, .png, .svg) is the format.
     metrics : sequence of path-like
         Tables of the metrics stage, of the sheets that the figure shows and in their order.
@@ -52,7 +52,7 @@ def run(
         If the figure or a format is unknown, or an input lacks what the figure shows.
     """
     _known(name)
-    paths = _paths(output)
+    paths = _paths(list(output.values()) if isinstance(output, Mapping) else output)
     for path in paths:
         if path.suffix not in SUFFIXES:
             allowed = ", ".join(SUFFIXES)

@@ -9,7 +9,6 @@ from hypothesis import strategies as st
 
 from wrinklestudy.results import cases
 from wrinklestudy.results.cases import Case, StudySheet, canonical, format_value, parse_value
-from wrinklestudy.results.paths import Paths
 
 positive = st.floats(min_value=1e-12, max_value=1e12)
 
@@ -134,57 +133,3 @@ def test_cases_are_unique_and_sorted():
     thin = StudySheet("latex", 2.0, 1e-3)
     short = StudySheet("latex", 1.5, 1e-3)
     assert cases.cases(series) == (Case(short, 0.3), Case(thin, 0.1), Case(thin, 0.3))
-
-
-def test_sheets_of_one_class_share_the_planar_state_but_not_the_wrinkle():
-    thick, thin = (Case(StudySheet("latex", 2.0, t), 0.1) for t in (1.2e-3, 1e-3))
-    paths = Paths("results/quick", "figures/quick")
-    assert paths.planar(thick) == paths.planar(thin)
-    assert paths.wrinkle(thick) != paths.wrinkle(thin)
-    assert paths.planar(thin) == "results/quick/planar/latex/aspect2_resolves0.001/strain0.1.h5"
-
-
-@pytest.mark.parametrize("output", ["metrics", "stability"])
-def test_a_sheet_has_one_file_of_its_own(output):
-    paths = Paths("out")
-    sheets = [
-        StudySheet(name, a, t) for name in ("a", "b") for a in (1.5, 2.0) for t in (5e-4, 1e-3)
-    ]
-    files = {paths.of_sheet(output, sheet) for sheet in sheets}
-    assert len(files) == len(sheets)
-    assert all(file.startswith(f"out/{output}/") for file in files)
-
-
-STAGES = (
-    "material",
-    "mesh",
-    "planar",
-    "stability",
-    "wrinkle",
-    "metrics",
-    "summary",
-    "claims",
-    "gate",
-)
-
-
-@pytest.mark.parametrize("stage", STAGES)
-def test_outputs_logs_and_run_times_have_the_same_wildcards_and_different_files(stage):
-    paths = Paths("out")
-    three = [paths.pattern(stage), paths.log(stage), paths.benchmark(stage)]
-    wildcards = [re.findall(r"{(\w+)}", path) for path in three]
-    assert wildcards[0] == wildcards[1] == wildcards[2]
-    assert len(set(three)) == 3
-    assert all(path.startswith("out/") for path in three)
-
-
-@given(positive, positive, positive)
-def test_a_path_gives_its_case_back(aspect, thickness, strain):
-    path = Paths().wrinkle(Case(StudySheet("latex-2", aspect, thickness), strain))
-    pattern = re.sub(r"{(\w+)}", r"(?P<\1>[^/_]+)", re.escape(Paths().pattern("wrinkle")))
-    pattern = re.sub(r"\\{(\w+)\\}", r"(?P<\1>[^/_]+)", pattern)
-    found = re.fullmatch(pattern, path)
-    assert found is not None
-    assert found["material"] == "latex-2"
-    values = [parse_value(found[name]) for name in ("aspect", "thickness", "strain")]
-    assert values == [canonical(aspect), canonical(thickness), canonical(strain)]
