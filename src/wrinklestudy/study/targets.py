@@ -9,6 +9,7 @@ from wrinklestudy.results.cases import format_value, resolved_thickness
 from wrinklestudy.results.paths import STAGES, Paths
 from wrinklestudy.study.config import StudyConfig
 from wrinklestudy.study.config.wording import closest
+from wrinklestudy.study.plan import files_of
 from wrinklestudy.vocabulary import ASPECT, STRAIN, THICKNESS
 
 _LIMITS = {"aspect": ASPECT, "thickness": THICKNESS, "resolved": THICKNESS, "strain": STRAIN}
@@ -45,10 +46,9 @@ def refusal(
             texts = _wildcards(pattern, path)
             if texts is not None:
                 known = {"figure": figures, "material": _models(study, stage)}
-                faults = [*_unknown(texts, known), *_outside(texts)]
-                right = pattern.format(**{name: _spelled(name, texts[name]) for name in texts})
-                if not faults and right != path:
-                    faults = [f"numbers have one spelling; write {right}"]
+                faults = [*_unknown(texts, known), *_outside(texts)] or _misspelt(pattern, texts)
+                if not faults and stage == "metrics" and path not in files_of(study, paths, stage):
+                    faults = ["the config has no strains of this sheet (sheets)"]
                 return f"{target}: {'; '.join(faults)}" if faults else None
     return None
 
@@ -98,6 +98,10 @@ def _number(text: str) -> float:
     return value if isfinite(value) else nan
 
 
-def _spelled(name: str, text: str) -> str:
-    value = _number(text) if name in _LIMITS else nan
-    return format_value(value) if value >= 0 else text
+def _misspelt(pattern: str, texts: Mapping[str, str]) -> list[str]:
+    """Return the right path if a number is written in another way; numbers are allowed by now."""
+    right = {
+        name: format_value(_number(text)) if name in _LIMITS else text
+        for name, text in texts.items()
+    }
+    return [] if right == texts else [f"numbers have one spelling; write {pattern.format(**right)}"]

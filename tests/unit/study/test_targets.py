@@ -99,6 +99,10 @@ def test_what_is_no_result_is_left_to_snakemake(path):
             "material 'ruber' is unknown; did you mean rubber? allowed: rubber, other, thick",
         ),
         (
+            "out/metrics/rubber/aspect4_thickness0.001.csv",
+            "the config has no strains of this sheet (sheets)",
+        ),
+        (
             "out/material/thick.json",
             "material 'thick' is unknown; allowed: rubber, other",
         ),

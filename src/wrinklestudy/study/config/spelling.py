@@ -21,8 +21,8 @@ def misleading(path: str) -> list[str]:
         YAML or JSON file that can be read as such.
     """
     root = yaml.compose(Path(path).read_text(encoding="utf-8"), Loader=yaml.SafeLoader)
-    found = [] if root is None else sorted(set(_problems(root, "")))
-    return [f"{path}, line {line + 1}: {text}" for line, text in found]
+    problems = [] if root is None else sorted(set(_problems(root, "")))
+    return [f"{path}, line {line + 1}: {text}" for line, text in problems]
 
 
 def _problems(node: yaml.Node, key: str) -> Iterator[tuple[int, str]]:

@@ -44,7 +44,7 @@ def lines(root: type[BaseModel], errors: Sequence[ErrorDetails]) -> list[str]:
         _line(root, error, _path(error))
         for error in errors
         if (error["type"] != "too_short" or error["loc"] not in inner)
-        and (_is_key(error) or not any(error["loc"][: len(one)] == one for one in unnamed))
+        and (_is_key(error) or not any(error["loc"][: len(place)] == place for place in unnamed))
     ]
 
 
