@@ -15,7 +15,7 @@ SNAKEMAKE := $(BIN)/snakemake --cores $(CORES) --quiet host rules
 ONE_THREAD := OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 .DEFAULT_GOAL := help
-.PHONY: help env figures quick report test verify bench lint lock
+.PHONY: help env figures quick report test verify bench lint schema lock
 
 help: ## list the targets
 	@sed -n 's/^\([a-z]*\):.*## /  make \1	/p' $(MAKEFILE_LIST)
@@ -63,6 +63,9 @@ lint: $(READY) ## check style, types and workflow
 	$(BIN)/mypy
 	$(BIN)/snakefmt --check Snakefile workflow verification
 	$(BIN)/python workflow/lint.py
+
+schema: $(READY) ## write config/schema.json, from which editors check a config
+	$(BIN)/python -m wrinklestudy.study.config.schema config/schema.json
 
 lock: ## resolve the newest requirements that pyproject.toml allows
 	requirements/refresh $(PYTHON)

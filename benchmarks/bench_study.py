@@ -73,7 +73,8 @@ def starts() -> list[dict[str, Any]]:
     for _ in range(ROUNDS):
         for number, name in enumerate(names, start=1):
             wanted = ", ".join(IMPORTS[n] for n in names[:number])
-            code = f"import gc; gc.disable(); import {wanted}; gc.freeze()"  # as in joblog.log_to
+            # as in stages/memory.py
+            code = f"import gc; gc.disable(); import {wanted}; gc.freeze()"
             before = children()
             command = [sys.executable, "-c", code]
             jobs = [subprocess.Popen(command, env=environment) for _ in range(cores)]

@@ -16,7 +16,7 @@ from wrinklestudy.results.cases import resolved_thickness
 from wrinklestudy.results.fields import state_row
 from wrinklestudy.results.rows import StateRow, columns
 from wrinklestudy.results.states import unmeasured, with_measures
-from wrinklestudy.vocabulary import PARITIES, Parity
+from wrinklestudy.vocabulary import ASPECT, PARITIES, STRAIN, THICKNESS, Parity
 
 
 @dataclass(frozen=True)
@@ -93,10 +93,10 @@ class Sheet:
     mesh: MeshSettings = field(default_factory=MeshSettings)
 
     def __post_init__(self) -> None:
-        if not 0.5 <= self.aspect <= 20:
-            raise ValueError(f"aspect = {self.aspect:g}: must be >= 0.5 and <= 20 (L/W)")
-        if not 0 < self.thickness <= 0.05:
-            raise ValueError(f"thickness = {self.thickness:g}: must be > 0 and <= 0.05 (t/W)")
+        if self.aspect not in ASPECT:
+            raise ValueError(f"aspect = {self.aspect:g}: must be {ASPECT}")
+        if self.thickness not in THICKNESS:
+            raise ValueError(f"thickness = {self.thickness:g}: must be {THICKNESS}")
         bending_law_of(self.bending)
         if self.parity not in PARITIES:
             raise ValueError(f"parity = {self.parity!r}: must be one of {', '.join(PARITIES)}")
@@ -125,8 +125,8 @@ class Sheet:
         ValueError
             If the strain is not allowed.
         """
-        if not 0 < strain <= 1:
-            raise ValueError(f"strain = {strain:g}: must be > 0 and <= 1")
+        if strain not in STRAIN:
+            raise ValueError(f"strain = {strain:g}: must be {STRAIN}")
         start = perf_counter()
         flat = planar.solve(self.space, self.material, strain, self.settings)
         found = wrinkled.solve(flat, self.thickness, settings)

@@ -18,7 +18,7 @@ from wrinklestudy.mechanics.laws import LAWS, describe, from_description, law_of
 from wrinklestudy.mechanics.section import Section
 from wrinklestudy.results.materials import load_fit
 from wrinklestudy.stages import material as material_stage
-from wrinklestudy.study.config_blocks import MaterialBlock, PlateBlock
+from wrinklestudy.study.config.blocks import MaterialBlock, PlateBlock
 from wrinklestudy.study.figures import style
 
 ROOT = Path(__file__).parents[2]

@@ -5,6 +5,7 @@ from collections import Counter
 import pytest
 import yaml
 
+from wrinklestudy.results.paths import STAGES as TABLE
 from wrinklestudy.study.config import parse_config
 
 pytestmark = pytest.mark.workflow
@@ -21,8 +22,7 @@ SHEET_FIGURES = {
     "fig07_collapse",
 }
 VARIANT_FIGURES = {"fig05_amplitude", "fig05_wavelength"}
-STAGES = ("material", "mesh", "planar", "stability", "wrinkle", "metrics", "summary")
-STAGES += ("claims", "figures", "gate")
+STAGES = tuple(TABLE)
 STRAINS = "strain: [0.1, 0.2, 0.32]"
 LATEX = "  - material: latex\n    aspect: [2.0]\n    thickness: [1.0e-3]\n"
 ASPECT, SHEET = "aspect2_resolves0.001", "aspect2_thickness0.001"
@@ -197,7 +197,12 @@ def test_an_edit_of_the_claims_judges_again_and_draws_nothing(study):
 
 
 @pytest.mark.parametrize(
-    "name", ["src/wrinklestudy/mechanics/plate.py", "workflow/scripts/planar.py"]
+    "name",
+    [
+        "src/wrinklestudy/mechanics/plate.py",
+        "src/wrinklestudy/stages/planar.py",
+        "workflow/scripts/stage.py",
+    ],
 )
 def test_an_edit_of_a_comment_reruns_nothing(study, name):
     path = study.folder / name
@@ -205,11 +210,17 @@ def test_an_edit_of_a_comment_reruns_nothing(study, name):
     assert study.planned() == []
 
 
-def test_an_edit_of_a_script_reruns_its_stage(study):
-    path = study.folder / "workflow/scripts/metrics.py"
+def test_an_edit_of_a_stage_reruns_that_stage_and_what_follows(study):
+    path = study.folder / "src/wrinklestudy/stages/metrics.py"
     path.write_text(path.read_text() + "\nUNUSED = 1\n")
     ran = {"metrics": 2, "summary": 1, "claims": 1, "figures": len(SHEET_FIGURES), "gate": 1}
     assert rules(study.planned()) == ran
+
+
+def test_an_edit_of_the_adapter_reruns_every_stage(study):
+    path = study.folder / "workflow/scripts/stage.py"
+    path.write_text(path.read_text() + "\nUNUSED = 1\n")
+    assert rules(study.planned()).keys() == set(STAGES)
 
 
 def test_a_wrong_config_stops_with_its_line_before_any_job(study):
@@ -222,8 +233,66 @@ def test_a_wrong_config_stops_with_its_line_before_any_job(study):
     assert "Job stats" not in run.stderr + run.stdout
 
 
-def test_a_spelling_that_is_no_case_is_refused(finished_quick):
-    folder = "results/quick/wrinkle/latex/aspect2_thickness0.001"
-    run = finished_quick.snakemake("--dry-run", f"{folder}/strain0.20.h5")
+def test_of_two_config_files_the_one_that_wins_is_named_first(study):
+    for name, cells in (("one", 1), ("two", 14)):
+        (study.folder / f"{name}.yaml").write_text(f"mesh: {{cells_across: {cells}}}\n")
+    run = study.snakemake("--dry-run", "--configfile", "two.yaml", "one.yaml", config=None)
+    line = "mesh.cells_across = 1: must be a whole number >= 2 and <= 500"
+    assert run.stderr.splitlines()[-1] == f"one.yaml over two.yaml over config.yaml: {line}"
+    run = study.snakemake("--dry-run", "--configfile", "one.yaml", "two.yaml", config=None)
+    assert run.returncode == 0, run.stderr
+
+
+def test_a_key_that_stands_twice_is_refused_with_its_line(study):
+    study.edit(
+        "config/quick.yaml", "  cells_across: 18\n", "  cells_across: 18\n  cells_across: 9\n"
+    )
+    run = study.snakemake("--dry-run")
+    lines = (study.folder / "config/quick.yaml").read_text().splitlines()
+    second = lines.index("  cells_across: 9") + 1
+    wanted = f"config/quick.yaml, line {second}: mesh.cells_across stands twice, first in line"
     assert run.returncode != 0
-    assert "MissingRuleException" in run.stderr + run.stdout
+    assert run.stderr.splitlines()[-1] == f"{wanted} {second - 1}"
+
+
+def test_a_number_on_the_command_line_counts_as_one_in_the_file(study):
+    assert study.planned("--config", "mesh={cells_across: 18}") == []
+    run = study.snakemake("--dry-run", "--config", "mesh={cells_across: 1_8}")
+    line = "mesh.cells_across = '1_8': must be a whole number >= 2 and <= 500"
+    source = "--config over config/quick.yaml over config.yaml"
+    assert run.stderr.splitlines()[-1] == f"{source}: {line}"
+
+
+@pytest.mark.parametrize("spelling", ["results/quick/", "./results/quick", "results//quick"])
+def test_another_spelling_of_a_folder_is_the_same_folder(study, spelling):
+    study.edit("config/quick.yaml", "results: results/quick", f"results: {spelling}")
+    assert study.planned() == []
+
+
+def test_a_folder_may_lie_at_home(finished_quick, tmp_path, monkeypatch):
+    monkeypatch.setenv("HOME", str(tmp_path))
+    jobs = finished_quick.planned("--config", "folders={results: ~/wrinkles}")
+    (gate,) = outputs(jobs, "gate")
+    assert gate == f"{tmp_path}/wrinkles/gate/gate.json"
+
+
+SHEETS = "results/quick/wrinkle/latex/aspect2_thickness"
+
+
+@pytest.mark.parametrize(
+    ("target", "fault"),
+    [
+        (f"{SHEETS}0.001/strain0.20.h5", f"write {SHEETS}0.001/strain0.2.h5"),
+        (f"./{SHEETS}1.5e-3/strain0.2.h5", f"write {SHEETS}0.0015/strain0.2.h5"),
+        (f"{SHEETS}0.001/strain20.h5", "strain = 20: must be a number > 0 and <= 1"),
+        ("figures/quick/fig4_profiles.png", "did you mean fig04_profiles?"),
+    ],
+)
+def test_a_file_that_cannot_be_is_refused_in_one_line(finished_quick, target, fault):
+    run = finished_quick.snakemake("--dry-run", target)
+    assert run.returncode != 0
+    last = run.stderr.splitlines()[-1]
+    assert last.startswith(f"{target}: ")
+    assert fault in last
+    assert "Exception" not in run.stderr
+    assert "Job stats" not in run.stderr + run.stdout

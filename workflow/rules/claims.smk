@@ -1,25 +1,25 @@
 rule claims:
     input:
-        states=PATHS.pattern("summary"),
-        stability=PATHS.pattern("summary_stability"),
-        peaks=PATHS.pattern("summary_peaks"),
+        states=PATHS.pattern("summary", "states"),
+        stability=PATHS.pattern("summary", "stability"),
+        peaks=PATHS.pattern("summary", "peaks"),
         materials=[PATHS.of("material", material=name) for name in sorted(STUDY.materials)],
     output:
         csv=report(
-            PATHS.pattern("claims"),
+            PATHS.pattern("claims", "csv"),
             caption="../report/claims.rst",
             category=CATALOGUE.tables_part,
             labels={"figure": "", "shows": "claims (CSV)"},
         ),
         page=report(
-            PATHS.pattern("claims_page"),
+            PATHS.pattern("claims", "page"),
             caption="../report/claims.rst",
             category=CATALOGUE.tables_part,
             labels={"figure": "", "shows": "claims"},
         ),
         tables=[
             report(
-                PATHS.of("claims_table", table=entry.name),
+                filled(PATHS.pattern("claims", "tables"), {"table": entry.name}),
                 caption="../report/tables.rst",
                 category=CATALOGUE.tables_part,
                 labels={"figure": "", "shows": f"{entry.title} (CSV)"},
@@ -33,9 +33,9 @@ rule claims:
         mem_mb=500,
     params:
         study=STUDY.study,
-        # for the caption
-        captions=[entry.caption for entry in CATALOGUE.tables],
-        sheet=list(astuple(STUDY.figure_sheet)),
+        sheet=astuple(STUDY.figure_sheet),
+        # of the further tables
+        caption=[entry.caption for entry in CATALOGUE.tables],
         code=code_of_claims(),
     script:
-        "../scripts/claims.py"
+        "../scripts/stage.py"

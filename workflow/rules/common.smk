@@ -7,23 +7,18 @@ import sys
 from dataclasses import astuple
 from pathlib import Path
 
-from wrinklestudy.study import figure_contents
-from wrinklestudy.results.cases import (
-    NAME_PATTERN,
-    VALUE_PATTERN,
-    Case,
-    StudySheet,
-    parse_value,
-)
-from wrinklestudy.results.paths import Paths
-from wrinklestudy.study.config import ConfigError, parse_config
+from wrinklestudy.results.cases import NAME_PATTERN, VALUE_PATTERN, Case, StudySheet, parse_value
+from wrinklestudy.results.paths import STAGES, Paths, filled
+from wrinklestudy.study import figure_contents, plan, targets
+from wrinklestudy.study.config import ConfigError, load_config
 from wrinklestudy.study.digest import code_digest
 from wrinklestudy.study.loading import claim_modules, sources
 
-# a file given with --configfile stands first: it goes over config.yaml
-CONFIG_FILES = " over ".join(os.path.relpath(file) for file in workflow.configfiles)
+# Of files given with --configfile the last goes over those before, and all go over config.yaml.
+given = len(workflow.overwrite_configfiles)
+config_files = [*reversed(workflow.configfiles[:given]), *workflow.configfiles[given:]]
 try:
-    STUDY = parse_config(config, CONFIG_FILES)
+    STUDY = load_config(config, config_files, overridden=bool(workflow.config_settings.config))
 except ConfigError as error:
     sys.exit(str(error))
 
@@ -32,6 +27,13 @@ CATALOGUE = STUDY.catalogue
 config["report"] = {"title": CATALOGUE.title, "citation": CATALOGUE.citation}
 
 PATHS = Paths(STUDY.folders.results, STUDY.folders.figures)
+
+# What is asked for by name need not stand in the config. Snakemake tells no Snakefile its targets, and
+# of a path that no rule fits only that; so each word of the command line that is the path of a result is
+# looked at here, before anything runs.
+for word in sys.argv[1:]:
+    if fault := targets.refusal(word, STUDY, PATHS):
+        sys.exit(fault)
 
 
 # {material} is a material or a variant of one, but in files of the stage material
@@ -46,9 +48,9 @@ wildcard_constraints:
 
 @functools.cache
 def code(stage, *modules):
-    """Digest of the code of a stage, and of modules that its script does not name."""
-    script = Path(workflow.basedir, "workflow", "scripts", f"{stage}.py")
-    return code_digest(script, modules, sources(STUDY.study))
+    """Digest of the code of a stage, and of modules that it imports by a name from the config."""
+    adapter = Path(workflow.basedir, "workflow", "scripts", "stage.py")
+    return code_digest(adapter, [f"wrinklestudy.stages.{stage}", *modules], sources(STUDY.study))
 
 
 def code_of_figure(name):
@@ -58,6 +60,11 @@ def code_of_figure(name):
 def code_of_claims():
     tables = [entry.module for entry in CATALOGUE.tables]
     return code("claims", *claim_modules(STUDY.study), *tables)
+
+
+def wildcard(name):
+    """The text of a wildcard, as a function for params."""
+    return lambda wildcards: wildcards[name]
 
 
 def value(wildcard):
@@ -88,20 +95,19 @@ def sheet_of(wildcards):
 
 
 def mesh_of_sheet(wildcards):
-    sheet = sheet_of(wildcards)
-    return PATHS.of("mesh", aspect=sheet.aspect, resolved=sheet.resolved)
+    return PATHS.of_sheet("mesh", sheet_of(wildcards))
 
 
 def planar_of_case(wildcards):
-    return PATHS.planar(Case(sheet_of(wildcards), parse_value(wildcards.strain)))
+    return PATHS.of_case("planar", Case(sheet_of(wildcards), parse_value(wildcards.strain)))
 
 
 def planar_of_sheet(wildcards):
-    return [PATHS.planar(case) for case in STUDY.cases_of(sheet_of(wildcards))]
+    return [PATHS.of_case("planar", case) for case in STUDY.cases_of(sheet_of(wildcards))]
 
 
 def wrinkle_of_sheet(wildcards):
-    return [PATHS.wrinkle(case) for case in STUDY.cases_of(sheet_of(wildcards))]
+    return [PATHS.of_case("wrinkle", case) for case in STUDY.cases_of(sheet_of(wildcards))]
 
 
 def inputs_of_figure(wildcards):
@@ -114,14 +120,11 @@ def inputs_of_figure(wildcards):
         "data": sorted({STUDY.materials[name].data for name in materials}),
         "metrics": [PATHS.of_sheet("metrics", sheet) for sheet in sheets],
         "stability": [PATHS.of_sheet("stability", sheet) for sheet in sheets],
-        "states": [PATHS.wrinkle(case) for case in figure_contents.states_shown(STUDY, figure)],
+        "states": [
+            PATHS.of_case("wrinkle", case) for case in figure_contents.states_shown(STUDY, figure)
+        ],
         "experiment": figure_contents.measured(STUDY, figure),
     }
-
-
-def all_figures():
-    names = sorted(figure.name for figure in STUDY.figures_to_make)
-    return expand([PATHS.figure(".pdf"), PATHS.figure(".png")], figure=names)
 
 
 def all_sheets(output):
@@ -133,29 +136,10 @@ def of_figure(content):
     return lambda wildcards: content(STUDY, CATALOGUE.figure(wildcards.figure))
 
 
-def extra_tables():
-    return [PATHS.of("claims_table", table=entry.name) for entry in CATALOGUE.tables]
-
-
-def final_files():
-    """What a study is run for but the gate; everything else is made on the way."""
-    return [*all_figures(), *map(PATHS.pattern, ("claims", "claims_page")), *extra_tables()]
-
-
-def files_on_the_way():
-    sheets = STUDY.all_sheets
-    found = [PATHS.of("material", material=name) for name in STUDY.materials]
-    found += [PATHS.of("mesh", aspect=one.aspect, resolved=one.resolved) for one in sheets]
-    found += [path for case in STUDY.cases for path in (PATHS.planar(case), PATHS.wrinkle(case))]
-    found += [*all_sheets("stability"), *all_sheets("metrics")]
-    return [*found, *map(PATHS.pattern, ("summary", "summary_stability", "summary_peaks"))]
-
-
 def study_digest():
     """Digest of all that the results follow from: config, code, measured data."""
-    stages = ("material", "mesh", "planar", "stability", "wrinkle", "metrics", "summary", "gate")
-    codes = [*map(code, stages), code_of_claims()]
-    codes += [code_of_figure(figure.name) for figure in STUDY.figures_to_make]
+    codes = [code(stage) for stage in STAGES]
+    codes += [code_of_claims(), *(code_of_figure(one.name) for one in STUDY.figures_to_make)]
     files = {material.data for material in STUDY.materials.values()}
     files |= {
         path for figure in STUDY.figures_to_make for path in figure_contents.measured(STUDY, figure)
@@ -166,15 +150,16 @@ def study_digest():
     return digest.hexdigest()[:16]
 
 
-def targets(_wildcards):
+def all_targets(_wildcards):
     """All that is wanted; of a finished study only what it has lost since, if anything.
 
     Snakemake would leave a lost file alone as long as nothing needs it, and once it makes it again,
     run everything that comes after it.
     """
-    gate = Path(PATHS.pattern("gate"))
+    gate, wanted = Path(PATHS.pattern("gate")), plan.wanted_files(STUDY, PATHS)
     if gate.exists() and json.loads(gate.read_text()).get("study") == study_digest():
-        lost = [one for one in (*files_on_the_way(), *final_files()) if not Path(one).exists()]
+        files = [*plan.files_on_the_way(STUDY, PATHS), *wanted]
+        lost = [file for file in files if not Path(file).exists()]
         if lost:
             return lost
-    return [*final_files(), gate.as_posix()]
+    return [*wanted, gate.as_posix()]

@@ -3,9 +3,9 @@ rule figures:
     input:
         unpack(inputs_of_figure),
     output:
-        PATHS.figure(".pdf"),
-        report(
-            PATHS.figure(".png"),
+        pdf=PATHS.pattern("figures", "pdf"),
+        png=report(
+            PATHS.pattern("figures", "png"),
             caption="../report/figures.rst",
             category=lambda wildcards: CATALOGUE.figure(wildcards.figure).part,
             labels=lambda wildcards: figure_contents.labels(CATALOGUE.figure(wildcards.figure)),
@@ -17,10 +17,14 @@ rule figures:
         mem_mb=1000,
     params:
         study=STUDY.study,
-        # for the caption
-        caption=of_figure(figure_contents.caption_text),
-        cases=of_figure(figure_contents.cases_text),
-        mesh=of_figure(figure_contents.mesh_text),
+        name=wildcard("figure"),
+        caption=of_figure(
+            lambda *shown: {
+                "text": figure_contents.caption_text(*shown),
+                "cases": figure_contents.cases_text(*shown),
+                "mesh": figure_contents.mesh_text(*shown),
+            }
+        ),
         code=lambda wildcards: code_of_figure(wildcards.figure),
     script:
-        "../scripts/figures.py"
+        "../scripts/stage.py"

@@ -1,8 +1,8 @@
 # Last of all, so that the figures are there to look at when it fails.
 rule gate:
     input:
-        final_files(),
-        states=PATHS.pattern("summary"),
+        plan.wanted_files(STUDY, PATHS),  # to be there when it fails
+        states=PATHS.pattern("summary", "states"),
     output:
         PATHS.pattern("gate"),
     log:
@@ -15,4 +15,4 @@ rule gate:
         allow_not_converged=STUDY.gate.allow_not_converged,
         code=code("gate"),
     script:
-        "../scripts/gate.py"
+        "../scripts/stage.py"

@@ -11,9 +11,10 @@ rule material:
     resources:
         mem_mb=500,
     params:
+        name=wildcard("material"),
         law=material_setting("law"),
         stretch=material_setting("stretch"),
         modes=material_setting("modes"),
         code=code("material"),
     script:
-        "../scripts/material.py"
+        "../scripts/stage.py"

@@ -12,4 +12,4 @@ rule mesh:
         settings=STUDY.settings("mesh"),
         code=code("mesh"),
     script:
-        "../scripts/mesh.py"
+        "../scripts/stage.py"

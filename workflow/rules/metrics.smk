@@ -1,6 +1,6 @@
 rule metrics:
     input:
-        wrinkle_of_sheet,
+        wrinkle=wrinkle_of_sheet,
     output:
         PATHS.pattern("metrics"),
     log:
@@ -11,4 +11,4 @@ rule metrics:
     params:
         code=code("metrics"),
     script:
-        "../scripts/metrics.py"
+        "../scripts/stage.py"

@@ -12,8 +12,9 @@ rule planar:
     resources:
         mem_mb=1500,
     params:
+        name=wildcard("material"),
         strain=value("strain"),
         settings=settings("planar"),
         code=code("planar"),
     script:
-        "../scripts/planar.py"
+        "../scripts/stage.py"

@@ -13,8 +13,9 @@ rule stability:
     resources:
         mem_mb=1500,
     params:
+        name=wildcard("material"),
         thickness=value("thickness"),
         settings=settings("stability"),
         code=code("stability"),
     script:
-        "../scripts/stability.py"
+        "../scripts/stage.py"

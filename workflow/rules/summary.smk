@@ -3,10 +3,10 @@ rule summary:
         metrics=all_sheets("metrics"),
         stability=all_sheets("stability"),
     output:
-        states=PATHS.pattern("summary"),
-        stability=PATHS.pattern("summary_stability"),
+        states=PATHS.pattern("summary", "states"),
+        stability=PATHS.pattern("summary", "stability"),
         peaks=report(
-            PATHS.pattern("summary_peaks"),
+            PATHS.pattern("summary", "peaks"),
             caption="../report/peaks.rst",
             category=CATALOGUE.tables_part,
             labels={"figure": "", "shows": "peak of each sheet (CSV)"},
@@ -19,4 +19,4 @@ rule summary:
     params:
         code=code("summary"),
     script:
-        "../scripts/summary.py"
+        "../scripts/stage.py"

@@ -1,6 +1,6 @@
 rule wrinkle:
     input:
-        planar_of_case,
+        planar=planar_of_case,
     output:
         PATHS.pattern("wrinkle"),
     log:
@@ -15,4 +15,4 @@ rule wrinkle:
         settings=STUDY.settings("wrinkle"),
         code=code("wrinkle"),
     script:
-        "../scripts/wrinkle.py"
+        "../scripts/stage.py"

@@ -4,7 +4,7 @@ import argparse
 from typing import TYPE_CHECKING
 
 from wrinklestudy.cli.numbers import number, whole_number
-from wrinklestudy.vocabulary import PARITIES
+from wrinklestudy.vocabulary import CELLS, PARITIES
 
 if TYPE_CHECKING:
     from wrinklestudy.mechanics.laws import Material
@@ -91,8 +91,8 @@ def sheet(arguments: argparse.Namespace) -> "Sheet":
         if getattr(arguments, key) is not None
     }
     for key, value in cells.items():
-        if not 2 <= value <= 500:
-            raise ValueError(f"--{key.replace('_', '-')} = {value}: must be >= 2 and <= 500")
+        if value not in CELLS:
+            raise ValueError(f"--{key.replace('_', '-')} = {value}: must be {CELLS}")
     return Sheet(
         arguments.aspect,
         arguments.thickness,

@@ -7,6 +7,7 @@ from typing import Any
 
 from wrinklestudy.cli.numbers import number
 from wrinklestudy.cli.sheet_options import add_sheet, sheet
+from wrinklestudy.vocabulary import STRAIN
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -21,8 +22,8 @@ def run(arguments: argparse.Namespace) -> list[dict[str, Any]]:
     """Return the states as plain values."""
     chosen = sheet(arguments)
     for strain in arguments.strain:
-        if not 0 < strain <= 1:
-            raise ValueError(f"--strain = {strain:g}: must be > 0 and <= 1")
+        if strain not in STRAIN:
+            raise ValueError(f"--strain = {strain:g}: must be {STRAIN}")
     return [chosen.solve(strain).as_dict() for strain in _progress(arguments.strain)]
 
 

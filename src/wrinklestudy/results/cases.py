@@ -10,6 +10,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 
+from wrinklestudy.vocabulary import STRAIN
+
 DIGITS = 12
 DESIGN_THICKNESS = 1.0e-3
 
@@ -62,14 +64,20 @@ def strain_range(start: float, stop: float, step: float) -> tuple[float, ...]:
     Raises
     ------
     ValueError
-        If the step is not positive or stop lies before start.
+        If the step is not positive, stop lies before start or a whole number of steps does not
+        lead to it.
     """
     first, last, width = (Decimal(format_value(value)) for value in (start, stop, step))
     if width <= 0 or last < first:
         raise ValueError(f"start {start:g}, stop {stop:g}, step {step:g}: no values")
-    return tuple(
-        canonical(float(first + k * width)) for k in range(int((last - first) / width) + 1)
-    )
+    steps, rest = divmod(last - first, width)
+    if rest:
+        ends = [float(first + k * width) for k in (steps, steps + 1)]
+        nearest = " or ".join(format_value(end) for end in ends if end in STRAIN)
+        raise ValueError(
+            f"stop = {stop:g}: must be a whole number of steps above start; nearest: {nearest}"
+        )
+    return tuple(canonical(float(first + k * width)) for k in range(int(steps) + 1))
 
 
 def resolved_thickness(thickness: float) -> float:

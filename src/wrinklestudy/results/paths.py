@@ -1,29 +1,49 @@
-"""The paths of all files of a study: the only place that makes them."""
+"""The stages of a study and the paths of their files: the only place that makes them."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import PurePosixPath
 
 from wrinklestudy.results.cases import Case, StudySheet, format_value
 
+
+@dataclass(frozen=True)
+class Stage:
+    """What a stage writes.
+
+    Parameters
+    ----------
+    outputs : mapping
+        Name of each output file in the rule, and its path below the folder of the stage. The
+        wildcards say what there is one job for; logs and run times lie under the name of the first.
+    wanted : bool
+        Whether a study is run for these files; other stages are made on the way.
+    """
+
+    outputs: Mapping[str, str]
+    wanted: bool = False
+
+
 _SHEET = "{material}/aspect{aspect}_thickness{thickness}"
+_FLAT = "{material}/aspect{aspect}_resolves{resolved}"
 
-
-# Path of each output without its root folder, and its suffix. A stage with several outputs has
-# its logs and run times under the name of the first.
-_OUTPUTS = {
-    "material": ("material/{material}", ".json"),
-    "mesh": ("mesh/aspect{aspect}_resolves{resolved}", ".vtu"),
-    "planar": ("planar/{material}/aspect{aspect}_resolves{resolved}/strain{strain}", ".h5"),
-    "stability": (f"stability/{_SHEET}", ".json"),
-    "wrinkle": (f"wrinkle/{_SHEET}/strain{{strain}}", ".h5"),
-    "metrics": (f"metrics/{_SHEET}", ".csv"),
-    "summary": ("summary/states", ".csv"),
-    "summary_stability": ("summary/stability", ".csv"),
-    "summary_peaks": ("summary/peaks", ".csv"),
-    "figures": ("figures/{figure}", ""),
-    "claims": ("claims/claims", ".csv"),
-    "claims_page": ("claims/claims", ".html"),
-    "claims_table": ("claims/{table}", ".csv"),
-    "gate": ("gate/gate", ".json"),
+# In the order in which they run. A stage has its module in `wrinklestudy.stages` and its rule in
+# workflow/rules under the same name. The gate comes last: a study that has its file is finished.
+STAGES: Mapping[str, Stage] = {
+    "material": Stage({"fit": "{material}.json"}),
+    "mesh": Stage({"mesh": "aspect{aspect}_resolves{resolved}.vtu"}),
+    "planar": Stage({"state": f"{_FLAT}/strain{{strain}}.h5"}),
+    "stability": Stage({"limits": f"{_SHEET}.json"}),
+    "wrinkle": Stage({"state": f"{_SHEET}/strain{{strain}}.h5"}),
+    "metrics": Stage({"table": f"{_SHEET}.csv"}),
+    "summary": Stage(
+        {"states": "states.csv", "stability": "stability.csv", "peaks": "peaks.csv"},
+    ),
+    "figures": Stage({"pdf": "{figure}.pdf", "png": "{figure}.png"}, wanted=True),
+    "claims": Stage(
+        {"csv": "claims.csv", "page": "claims.html", "tables": "{table}.csv"}, wanted=True
+    ),
+    "gate": Stage({"counts": "gate.json"}),
 }
 
 
@@ -34,7 +54,7 @@ class Paths:
     Parameters
     ----------
     results : str
-        Folder of the results.
+        Folder of the results: a folder for each stage in it, and those of logs and run times.
     figures : str
         Folder of the figures.
     """
@@ -42,54 +62,58 @@ class Paths:
     results: str = "results"
     figures: str = "figures"
 
-    def pattern(self, output: str) -> str:
-        """Return the path of an output with wildcards such as ``{strain}``."""
-        return f"{self.results}/{''.join(_OUTPUTS[output])}"
-
-    def figure(self, suffix: str) -> str:
-        """Return the path of a figure with the wildcard ``{figure}``; suffix .pdf or .png."""
-        return f"{self.figures}/{{figure}}{suffix}"
+    def pattern(self, stage: str, output: str | None = None) -> str:
+        """Return the path of an output of a stage, the first by default, with its wildcards."""
+        outputs = STAGES[stage].outputs
+        path = outputs[output] if output is not None else next(iter(outputs.values()))
+        if stage == "figures":
+            return PurePosixPath(self.figures, path).as_posix()
+        return PurePosixPath(self.results, stage, path).as_posix()
 
     def log(self, stage: str) -> str:
-        """Return the path of a stage's log files, with the wildcards of its output."""
-        return f"{self.results}/log/{_OUTPUTS[stage][0]}.log"
+        """Return the path of a stage's log files, with the wildcards of its first output."""
+        return self._about(stage, "log", ".log")
 
     def benchmark(self, stage: str) -> str:
-        """Return the path of a stage's run times, with the wildcards of its output."""
-        return f"{self.results}/benchmark/{_OUTPUTS[stage][0]}.tsv"
+        """Return the path of a stage's run times, with the wildcards of its first output."""
+        return self._about(stage, "benchmark", ".tsv")
 
-    def of(self, output: str, **wildcards: str | float) -> str:
-        """Return the path of one output: names as they are, numbers in the one format."""
-        texts = {
-            name: value if isinstance(value, str) else format_value(value)
-            for name, value in wildcards.items()
-        }
-        return self.pattern(output).format(**texts)
+    def _about(self, stage: str, folder: str, suffix: str) -> str:
+        first = next(iter(STAGES[stage].outputs.values())).rpartition(".")[0]
+        return PurePosixPath(self.results, folder, stage, f"{first}{suffix}").as_posix()
 
-    def planar(self, case: Case) -> str:
-        """Return the flat state that a case starts from."""
-        sheet = case.sheet
-        return self.of(
-            "planar",
-            material=sheet.material,
-            aspect=sheet.aspect,
-            resolved=sheet.resolved,
-            strain=case.strain,
-        )
+    def of(self, stage: str, **wildcards: str | float) -> str:
+        """Return the path of the first output of a stage."""
+        return filled(self.pattern(stage), wildcards)
 
-    def wrinkle(self, case: Case) -> str:
-        """Return the equilibrium of a case."""
-        sheet = case.sheet
-        return self.of(
-            "wrinkle",
-            material=sheet.material,
-            aspect=sheet.aspect,
-            thickness=sheet.thickness,
-            strain=case.strain,
-        )
+    def of_sheet(self, stage: str, sheet: StudySheet) -> str:
+        """Return the first output of a stage for a sheet: its mesh, stability or metrics."""
+        return filled(self.pattern(stage), sheet_wildcards(sheet))
 
-    def of_sheet(self, output: str, sheet: StudySheet) -> str:
-        """Return the one output of a stage for a sheet: stability or metrics."""
-        return self.of(
-            output, material=sheet.material, aspect=sheet.aspect, thickness=sheet.thickness
-        )
+    def of_case(self, stage: str, case: Case) -> str:
+        """Return the first output of a stage for a case: its flat state or its equilibrium."""
+        return filled(self.pattern(stage), case_wildcards(case))
+
+
+def filled(pattern: str, wildcards: Mapping[str, str | float]) -> str:
+    """Return a path with values for its wildcards: names as they are, numbers in the one format."""
+    texts = {
+        name: value if isinstance(value, str) else format_value(value)
+        for name, value in wildcards.items()
+    }
+    return pattern.format(**texts)
+
+
+def sheet_wildcards(sheet: StudySheet) -> dict[str, str | float]:
+    """Return the values of all wildcards that a sheet has."""
+    return {
+        "material": sheet.material,
+        "aspect": sheet.aspect,
+        "thickness": sheet.thickness,
+        "resolved": sheet.resolved,
+    }
+
+
+def case_wildcards(case: Case) -> dict[str, str | float]:
+    """Return the values of all wildcards that a case has."""
+    return {**sheet_wildcards(case.sheet), "strain": case.strain}

@@ -1,6 +1,7 @@
 """The claims stage: every claim of a study with a verdict."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 from wrinklestudy.typing import AnyPath
 
@@ -12,9 +13,7 @@ def run(
     peaks: AnyPath,
     materials: Sequence[AnyPath],
     sheet: tuple[str, float, float],
-    output: AnyPath,
-    page: AnyPath,
-    tables: Sequence[AnyPath] = (),
+    output: Mapping[str, Any],
 ) -> None:
     """Judge all claims and write the table of claims, a page to read and the further tables.
 
@@ -31,12 +30,10 @@ def run(
         Files of the material stage.
     sheet : tuple of (str, float, float)
         Model, L/W and t/W of the sheet that the claims are about.
-    output : path-like
-        CSV file of the claims, columns `write.CLAIM_COLUMNS`.
-    page : path-like
-        HTML page, complete in itself.
-    tables : sequence of path-like
-        CSV files of the further tables of the catalogue, in its order.
+    output : mapping
+        Files to write: ``csv``, the claims (columns `write.CLAIM_COLUMNS`), ``page``, an HTML page
+        that is complete in itself, and ``tables``, a sequence: the further tables of the catalogue
+        as CSV, in its order.
 
     Raises
     ------
@@ -57,7 +54,7 @@ def run(
     judged = [(claim, claim.found(computed)) for claim in load_claims(study)]
     extra = [import_module(entry.module).table(computed) for entry in catalogue.tables]
     text = html_page(catalogue, computed, judged, extra)
-    write.claims(output, judged)
-    for path, table in zip(tables, extra, strict=True):
+    write.claims(output["csv"], judged)
+    for path, table in zip(output.get("tables", ()), extra, strict=True):
         write.extra_table(path, table)
-    write.text(page, text)
+    write.text(output["page"], text)

@@ -1,6 +1,6 @@
 """The figures stage: one figure in each of the formats asked for."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from importlib import import_module
 from os import PathLike
 from pathlib import Path
@@ -15,7 +15,7 @@ def run(
     study: str,
     name: str,
     *,
-    output: AnyPath | Sequence[AnyPath],
+    output: AnyPath | Sequence[AnyPath] | Mapping[str, AnyPath],
     metrics: Sequence[AnyPath] = (),
     stability: Sequence[AnyPath] = (),
     materials: Sequence[AnyPath] = (),
@@ -34,7 +34,7 @@ def run(
         Name of the study as in the config: `study.loading.load_catalogue`.
     name : str
         One of the figures of its catalogue.
-    output : path-like or sequence of path-like
+    output : path-like, sequence or mapping of path-like
         Files to write; the suffix (.pdf, .png, .svg) is the format.
     metrics : sequence of path-like
         Tables of the metrics stage, of the sheets that the figure shows and in their order.
@@ -57,7 +57,7 @@ def run(
         or an input lacks what the figure shows.
     """
     module = load_catalogue(study).figure(name).module
-    paths = _paths(output)
+    paths = _paths(list(output.values()) if isinstance(output, Mapping) else output)
     for path in paths:
         if path.suffix not in SUFFIXES:
             allowed = ", ".join(SUFFIXES)

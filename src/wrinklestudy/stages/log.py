@@ -1,6 +1,5 @@
 """Log file of a job: what it warned of, its CPU time, and the whole traceback if it failed."""
 
-import gc
 import logging
 import sys
 import time
@@ -38,16 +37,12 @@ def log_to(path: str) -> Iterator[None]:
     path : str
         Log file; written anew.
     """
-    # A job of a second makes modules, not garbage: looking through them for some takes a fifth of
-    # the time outside the solves, a part of it when Python ends.
-    gc.disable()
     Path(path).parent.mkdir(parents=True, exist_ok=True)
     form = "%(asctime)s %(levelname)s %(name)s: %(message)s"
     logging.basicConfig(filename=path, filemode="w", level=logging.INFO, format=form)
     logging.captureWarnings(True)
     try:
         yield
-        gc.freeze()
         _LOGGER.info("job: %.3f s of CPU", time.process_time())
     except (ValueError, FileNotFoundError) as error:
         logging.error(traceback.format_exc())

@@ -17,6 +17,7 @@ from wrinklestudy.metrics.measure import Measures, measure
 from wrinklestudy.metrics.profile import Profile, cleaned, noise_level
 from wrinklestudy.results.cases import canonical
 from wrinklestudy.typing import Array
+from wrinklestudy.vocabulary import ASPECT, STRAIN, THICKNESS, Limits
 
 SheetSize = tuple[float, float]
 
@@ -24,9 +25,11 @@ KINDS = ("stress", "amplitude", "wavelength", "profiles")
 
 _Rule = tuple[str, Callable[[float], bool]]
 _ANY: _Rule = ("a finite number", lambda _: True)
-_ASPECT: _Rule = (">= 0.5 and <= 20 (L/W)", lambda v: 0.5 <= v <= 20.0)
-_THICKNESS: _Rule = ("> 0 and <= 0.05 (t/W)", lambda v: 0.0 < v <= 0.05)
-_STRAIN: _Rule = (">= 0 and <= 1 (0.12 is 12%)", lambda v: 0.0 <= v <= 1.0)
+_ASPECT: _Rule = (str(ASPECT), ASPECT.__contains__)
+_THICKNESS: _Rule = (str(THICKNESS), THICKNESS.__contains__)
+# The sheet at rest may be measured, too.
+_MEASURED_STRAIN = Limits(0.0, STRAIN.highest, unit="0.12 is 12%")
+_STRAIN: _Rule = (str(_MEASURED_STRAIN), _MEASURED_STRAIN.__contains__)
 _ERROR: _Rule = (">= 0", lambda v: v >= 0.0)
 
 _SHEET_COLUMNS = {"aspect": _ASPECT, "thickness": _THICKNESS, "strain": _STRAIN}

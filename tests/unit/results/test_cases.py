@@ -9,7 +9,6 @@ from hypothesis import strategies as st
 
 from wrinklestudy.results import cases
 from wrinklestudy.results.cases import Case, StudySheet, canonical, format_value, parse_value
-from wrinklestudy.results.paths import Paths
 
 positive = st.floats(min_value=1e-12, max_value=1e12)
 
@@ -85,8 +84,18 @@ def test_a_range_has_exact_decimals_and_both_ends(first, count, width):
     assert values == tuple((first + k * width) / 1000 for k in range(count + 1))
 
 
-def test_a_range_ends_before_a_stop_between_its_values():
-    assert cases.strain_range(0.1, 0.25, 0.1) == (0.1, 0.2)
+@given(st.integers(1, 400), st.integers(1, 9), st.integers(2, 100), st.data())
+def test_a_stop_between_two_values_is_refused_with_the_nearest_ones(first, count, width, data):
+    """Of the two ends that are offered each is one, and a strain."""
+    start, step = first / 1000, width / 1000
+    low = first + count * width
+    stop = (low + data.draw(st.integers(1, width - 1))) / 1000
+    with pytest.raises(ValueError, match="whole number of steps") as caught:
+        cases.strain_range(start, stop, step)
+    offered = [float(text) for text in str(caught.value).rpartition(": ")[2].split(" or ") if text]
+    assert offered == [end / 1000 for end in (low, low + width) if end <= 1000]
+    for end in offered:
+        assert cases.strain_range(start, end, step)[-1] == end
 
 
 @pytest.mark.parametrize(("start", "stop", "step"), [(0.2, 0.1, 0.1), (0.1, 0.2, 0.0)])
@@ -124,57 +133,3 @@ def test_cases_are_unique_and_sorted():
     thin = StudySheet("latex", 2.0, 1e-3)
     short = StudySheet("latex", 1.5, 1e-3)
     assert cases.cases(series) == (Case(short, 0.3), Case(thin, 0.1), Case(thin, 0.3))
-
-
-def test_sheets_of_one_class_share_the_planar_state_but_not_the_wrinkle():
-    thick, thin = (Case(StudySheet("latex", 2.0, t), 0.1) for t in (1.2e-3, 1e-3))
-    paths = Paths("results/quick", "figures/quick")
-    assert paths.planar(thick) == paths.planar(thin)
-    assert paths.wrinkle(thick) != paths.wrinkle(thin)
-    assert paths.planar(thin) == "results/quick/planar/latex/aspect2_resolves0.001/strain0.1.h5"
-
-
-@pytest.mark.parametrize("output", ["metrics", "stability"])
-def test_a_sheet_has_one_file_of_its_own(output):
-    paths = Paths("out")
-    sheets = [
-        StudySheet(name, a, t) for name in ("a", "b") for a in (1.5, 2.0) for t in (5e-4, 1e-3)
-    ]
-    files = {paths.of_sheet(output, sheet) for sheet in sheets}
-    assert len(files) == len(sheets)
-    assert all(file.startswith(f"out/{output}/") for file in files)
-
-
-STAGES = (
-    "material",
-    "mesh",
-    "planar",
-    "stability",
-    "wrinkle",
-    "metrics",
-    "summary",
-    "claims",
-    "gate",
-)
-
-
-@pytest.mark.parametrize("stage", STAGES)
-def test_outputs_logs_and_run_times_have_the_same_wildcards_and_different_files(stage):
-    paths = Paths("out")
-    three = [paths.pattern(stage), paths.log(stage), paths.benchmark(stage)]
-    wildcards = [re.findall(r"{(\w+)}", path) for path in three]
-    assert wildcards[0] == wildcards[1] == wildcards[2]
-    assert len(set(three)) == 3
-    assert all(path.startswith("out/") for path in three)
-
-
-@given(positive, positive, positive)
-def test_a_path_gives_its_case_back(aspect, thickness, strain):
-    path = Paths().wrinkle(Case(StudySheet("latex-2", aspect, thickness), strain))
-    pattern = re.sub(r"{(\w+)}", r"(?P<\1>[^/_]+)", re.escape(Paths().pattern("wrinkle")))
-    pattern = re.sub(r"\\{(\w+)\\}", r"(?P<\1>[^/_]+)", pattern)
-    found = re.fullmatch(pattern, path)
-    assert found is not None
-    assert found["material"] == "latex-2"
-    values = [parse_value(found[name]) for name in ("aspect", "thickness", "strain")]
-    assert values == [canonical(aspect), canonical(thickness), canonical(strain)]

@@ -82,9 +82,11 @@ def write_study(folder, name="latex"):
         "peaks": write_csv(folder / "peaks.csv", PEAK_COLUMNS, [peak]),
         "materials": [folder / "material.json"],
         "sheet": (name, 2.0, 1e-3),
-        "output": folder / "out" / "claims.csv",
-        "page": folder / "out" / "claims.html",
-        "tables": [folder / "out" / "table1.csv"],
+        "output": {
+            "csv": folder / "out" / "claims.csv",
+            "page": folder / "out" / "claims.html",
+            "tables": [folder / "out" / "table1.csv"],
+        },
     }
 
 
@@ -127,7 +129,7 @@ def parsed(path):
 
 def test_the_table_has_every_claim_with_its_numbers(study):
     run(**study)
-    rows = rows_of(study["output"])
+    rows = rows_of(study["output"]["csv"])
     assert list(rows[0]) == list(CLAIM_COLUMNS)
     assert [row["key"] for row in rows] == [claim.key for claim in CLAIMS]
     assert [int(row["number"]) for row in rows] == list(range(1, len(CLAIMS) + 1))
@@ -142,7 +144,7 @@ def test_the_table_has_every_claim_with_its_numbers(study):
 
 def test_what_the_study_lacks_is_named_and_nothing_is_dropped(study):
     run(**study)
-    found = {row["key"]: row for row in rows_of(study["output"])}
+    found = {row["key"]: row for row in rows_of(study["output"]["csv"])}
     for key, lack in {
         "none-when-short": "L/W = 1.5",
         "neo-hookean-smaller": "law = neo-hookean",
@@ -155,9 +157,9 @@ def test_what_the_study_lacks_is_named_and_nothing_is_dropped(study):
 
 def test_the_page_lists_every_claim_once_and_counts_the_verdicts(study):
     run(**study)
-    page = parsed(study["page"])
+    page = parsed(study["output"]["page"])
     assert sorted(page.ids) == sorted(claim.key for claim in CLAIMS)
-    number = Counter(row["verdict"] for row in rows_of(study["output"]))
+    number = Counter(row["verdict"] for row in rows_of(study["output"]["csv"]))
     for verdict in VERDICTS:
         assert f"{number[verdict]} {verdict}" in page.text
     for claim in CLAIMS:
@@ -167,7 +169,7 @@ def test_the_page_lists_every_claim_once_and_counts_the_verdicts(study):
 
 def test_the_page_stands_alone(study):
     run(**study)
-    text = study["page"].read_text(encoding="utf-8")
+    text = study["output"]["page"].read_text(encoding="utf-8")
     assert not re.search(r"https?:|src=|<link|<script|@import|url\(", text)
 
 
@@ -175,15 +177,15 @@ def test_text_is_escaped(tmp_path):
     name = "<script>alert('&')</script>"
     study = write_study(tmp_path, name)
     run(**study)
-    text = study["page"].read_text(encoding="utf-8")
+    text = study["output"]["page"].read_text(encoding="utf-8")
     assert "<script" not in text
     assert "&lt;script&gt;" in text
-    assert name in parsed(study["page"]).text
+    assert name in parsed(study["output"]["page"]).text
 
 
 def test_table_1_has_the_formulas_and_leaves_a_cell_empty_where_there_is_no_number(study):
     run(**study)
-    rows = rows_of(study["tables"][0])
+    rows = rows_of(study["output"]["tables"][0])
     assert list(rows[0]) == list(TABLE1_COLUMNS)
     arc = next(row for row in rows if row["quantity"] == "W_act")
     strain = float(arc["strain"])
@@ -197,14 +199,14 @@ def test_table_1_has_the_formulas_and_leaves_a_cell_empty_where_there_is_no_numb
 
 def test_a_study_without_the_sheet_still_has_all_three_files(study):
     run(**study | {"sheet": ("latex", 7.0, 1e-3)})
-    assert {row["verdict"] for row in rows_of(study["output"])} == {"not computed"}
-    assert rows_of(study["tables"][0]) == []
-    assert "lacks wrinkled states" in parsed(study["page"]).text
+    assert {row["verdict"] for row in rows_of(study["output"]["csv"])} == {"not computed"}
+    assert rows_of(study["output"]["tables"][0]) == []
+    assert "lacks wrinkled states" in parsed(study["output"]["page"]).text
 
 
 def test_the_same_tables_give_the_same_bytes(study):
     run(**study)
-    files = [study["output"], study["page"], *study["tables"]]
+    files = [study["output"]["csv"], study["output"]["page"], *study["output"]["tables"]]
     first = [path.read_bytes() for path in files]
     rows = rows_of(study["states"])
     write_csv(study["states"], COLUMNS, rows[::-1])
@@ -228,7 +230,7 @@ def test_a_bad_table_gets_one_line_and_nothing_is_written(study, table, change, 
     study[table].write_text(study[table].read_text().replace(*change, 1))
     with pytest.raises(ValueError, match=message):
         run(**study)
-    assert not study["output"].parent.exists()
+    assert not study["output"]["csv"].parent.exists()
 
 
 def test_a_file_that_is_no_material_gets_one_line(study):

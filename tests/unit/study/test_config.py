@@ -2,6 +2,7 @@
 
 import copy
 import math
+import tempfile
 from pathlib import Path
 
 import pytest
@@ -12,7 +13,8 @@ from hypothesis import strategies as st
 from wrinklestudy.equilibrium import planar, wrinkled
 from wrinklestudy.fem.grid import MeshSettings
 from wrinklestudy.results.cases import StudySheet
-from wrinklestudy.study.config import ConfigError, parse_config
+from wrinklestudy.study.config import ConfigError, load_config, parse_config
+from wrinklestudy.study.config.spelling import misleading
 from wrinklestudy.study.selections import same_aspect, same_thickness
 
 ROOT = Path(__file__).parents[3]
@@ -49,13 +51,19 @@ STRAIN = ("sheets", 0, "strain")
         (STRAIN, [0.0], "sheets[0].strain[0] = 0.0: must be a number > 0 and <= 1"),
         (STRAIN, [True], "sheets[0].strain[0] = true: must be a number > 0 and <= 1"),
         (STRAIN, [None], "sheets[0].strain[0] = null: must be a number > 0 and <= 1"),
-        (STRAIN, ["0.1"], "sheets[0].strain[0] = '0.1': must be a number > 0 and <= 1"),
+        (STRAIN, ["0_1"], "sheets[0].strain[0] = '0_1': must be a number > 0 and <= 1"),
         (STRAIN, [math.nan], "sheets[0].strain[0] = nan: must be a number > 0 and <= 1"),
         (STRAIN, 0.1, "sheets[0].strain = 0.1: must be a list with at least one entry"),
         (
             STRAIN,
             {"start": 0.3, "stop": 0.1, "step": 0.1},
             "sheets[0].strain.stop = 0.1: must be >= start = 0.3",
+        ),
+        (
+            STRAIN,
+            {"start": 0.03, "stop": 0.3, "step": 0.04},
+            "sheets[0].strain.stop = 0.3: must be a whole number of steps above start; "
+            "nearest: 0.27 or 0.31",
         ),
         (
             STRAIN,
@@ -89,7 +97,7 @@ STRAIN = ("sheets", 0, "strain")
         (
             ("plate", "bending"),
             "FvK",
-            "plate.bending = 'FvK': must be one of thinning, fixed-thickness, fvk",
+            "plate.bending = 'FvK': must be 'thinning', 'fixed-thickness' or 'fvk'",
         ),
         (
             ("gate", "allow_not_converged"),
@@ -145,7 +153,7 @@ STRAIN = ("sheets", 0, "strain")
         (
             ("variants", "latex-fixed", "bending"),
             "fixed",
-            "variants.latex-fixed.bending = 'fixed': must be one of thinning, fixed-thickness, fvk",
+            "variants.latex-fixed.bending = 'fixed': must be 'thinning', 'fixed-thickness' or 'fvk'",
         ),
         (
             ("variants", "Fixed"),
@@ -154,6 +162,56 @@ STRAIN = ("sheets", 0, "strain")
         ),
         (("variants",), None, "variants = null: must be a block"),
         (("folders", "results"), "", "folders.results = '': must be text"),
+        (
+            ("folders", "figures"),
+            "pictures/{law}",
+            "folders.figures = 'pictures/{law}': must be a path, not blank and without { and }",
+        ),
+        (
+            ("materials", "latex", "data"),
+            "a{b.csv",
+            "materials.latex.data = 'a{b.csv': must be a path, not blank and without { and }",
+        ),
+        (
+            ("folders", "results"),
+            True,
+            "folders.results = true: must be text; YAML reads yes and on as true: "
+            "put the word in quotes",
+        ),
+        (
+            ("sheets", 0, "material"),
+            1944,
+            "sheets[0].material = 1944: must be a name of lower-case letters, digits, '-' and '_'; "
+            "YAML reads it as a number: put it in quotes",
+        ),
+        (
+            ("materials", False),
+            {"data": "a.csv"},
+            "materials.false = false: must be a name of lower-case letters, digits, '-' and '_'; "
+            "YAML reads no and off as false: put the word in quotes",
+        ),
+        (
+            ("materials", "latex", "stretch"),
+            [1.0],
+            "materials.latex.stretch = [1.0]: must be two stretches [low, high], 0 < low < high",
+        ),
+        (
+            ("solver", "tolerance"),
+            1e-3,
+            "solver.tolerance = 0.001: must be a number > 0 and <= 1e-6",
+        ),
+        (
+            ("mesh", "cells_along"),
+            "1_0",
+            "mesh.cells_along = '1_0': must be a whole number >= 2 and <= 500",
+        ),
+        (("mesh", "grading"), True, "mesh.grading = true: must be a number >= 1 and <= 4"),
+        (("mesh", "grading"), math.inf, "mesh.grading = inf: must be a number >= 1 and <= 4"),
+        (
+            ("mesh", "grading"),
+            10**400,
+            f"mesh.grading = 1{56 * '0'}...: must be a number >= 1 and <= 4",
+        ),
     ],
 )
 def test_one_mistake_is_one_line(path, value, line):
@@ -217,9 +275,118 @@ def test_a_key_with_a_line_break_still_makes_one_line():
     assert len(str(caught.value).splitlines()) == 1
 
 
-def test_numbers_that_yaml_takes_for_text_are_numbers():
-    raw = changed(("sheets", 0, "thickness"), ["1e-3"])
-    assert parse_config(raw, "c").cases == parse_config(RAW, "c").cases
+@pytest.mark.parametrize("text", ["1e-3", "1.E-3", "0.001", ".001", "+0.0010"])
+def test_numbers_that_come_as_text_are_numbers(text):
+    """YAML 1.1 reads 1e-3 as text, and Snakemake every number inside of --config."""
+    raw = changed(("sheets", 0, "thickness"), [text])
+    raw["mesh"]["cells_across"] = "36"
+    study = parse_config(raw, "c")
+    assert study.cases == parse_config(RAW, "c").cases
+    assert study.mesh.cells_across == 36
+
+
+@pytest.mark.parametrize("text", ["1_0", "0x10", " 10", "10 ", "", "1:30", "ten", "٣", "1e", "--1"])
+def test_a_text_that_is_no_plain_number_is_none(text):
+    for key in ("cells_across", "grading"):
+        with pytest.raises(ConfigError):
+            parse_config(changed(("mesh", key), text), "c")
+
+
+@pytest.mark.parametrize(
+    ("written", "folder"),
+    [
+        ("out/", "out"),
+        ("./out", "out"),
+        ("out//a/./b/", "out/a/b"),
+        ("out/a/../b", "out/b"),
+        ("/out/", "/out"),
+        ("//out", "/out"),
+        ("~/out", "/users/ann/out"),
+        ("~", "/users/ann"),
+        ("./~", "~"),
+        (".", "."),
+    ],
+)
+def test_a_path_has_one_spelling(monkeypatch, written, folder):
+    monkeypatch.setenv("HOME", "/users/ann")
+    raw = changed(("folders",), dict.fromkeys(RAW["folders"], written))
+    raw["materials"]["latex"]["data"] = written
+    study = parse_config(raw, "c")
+    assert set(study.folders.model_dump().values()) == {folder}
+    assert study.materials["latex"].data == folder
+
+
+@pytest.fixture
+def places(tmp_path, monkeypatch):
+    """A folder with a config and what it names; returns a function that reads another one."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "data").mkdir()
+    for material in RAW["materials"].values():
+        (tmp_path / material["data"]).touch()
+
+    def load(path, value):
+        raw = changed(path, value)
+        (tmp_path / "my.yaml").write_text(yaml.safe_dump(raw))
+        return load_config(raw, [tmp_path / "my.yaml"])
+
+    return load
+
+
+def test_places_that_are_not_there_yet_are_no_mistake(places):
+    assert places(("folders", "results"), "new/one").folders.results == "new/one"
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "line"),
+    [
+        (
+            ("materials", "latex", "data"),
+            "data",
+            "materials.latex.data = 'data': must be a CSV file; it is a folder",
+        ),
+        (
+            ("materials", "latex", "data"),
+            "data/none.csv",
+            "materials.latex.data = 'data/none.csv': must be a CSV file; there is no such file",
+        ),
+        (
+            ("folders", "figures"),
+            "data/treloar1944.csv/figures",
+            "folders.figures = 'data/treloar1944.csv/figures': must be a folder; "
+            "data/treloar1944.csv is a file",
+        ),
+        (
+            ("folders", "experiment"),
+            "my.yaml",
+            "folders.experiment = 'my.yaml': must be a folder; my.yaml is a file",
+        ),
+    ],
+)
+def test_a_place_of_the_wrong_kind_is_one_line(places, path, value, line):
+    with pytest.raises(ConfigError) as caught:
+        places(path, value)
+    assert str(caught.value) == f"my.yaml: {line}"
+
+
+def test_what_yaml_would_lose_is_refused_in_each_file(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "one.yaml").write_text("a: {b: 1}\nc:\n  - d: 1\n    e: 2\n    'd': 3\n")
+    (tmp_path / "two.yaml").write_text("mesh:\n  x: 010\n  y: [1_0, '1_0', 1e3, -.inf]\n")
+    with pytest.raises(ConfigError) as caught:
+        load_config(RAW, ["two.yaml", "one.yaml"])
+    assert str(caught.value).splitlines() == [
+        "two.yaml, line 2: mesh.x = 010: YAML reads 8; write plain digits",
+        "two.yaml, line 3: mesh.y[0] = 1_0: YAML reads 10; write plain digits",
+        "one.yaml, line 5: c[0].d stands twice, first in line 3",
+    ]
+
+
+@given(st.floats(allow_nan=False, allow_infinity=False) | st.integers())
+def test_no_number_as_python_writes_it_is_misleading(value):
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "c.yaml")
+        path.write_text(f"key: {value!r}\n")
+        assert misleading(str(path)) == []
 
 
 def test_the_default_study_has_the_sheets_of_the_paper():

@@ -2,6 +2,7 @@
 
 import pytest
 
+from wrinklestudy.results.paths import STAGES
 from wrinklestudy.study.digest import SOURCE, code_digest, modules
 
 FILES = {
@@ -122,19 +123,15 @@ def test_a_module_imported_by_a_computed_name_counts_where_it_is_named(source):
     assert digest(source, "material", also=["wrinklestudy.wrinkle"]) != before
 
 
+ADAPTER = SOURCE.parent / "workflow" / "scripts" / "stage.py"
+
+
 def test_in_this_package_plate_counts_for_the_states_and_not_for_the_fit():
-    scripts = SOURCE.parent / "workflow" / "scripts"
     for stage in ("planar", "stability", "wrinkle"):
-        assert "wrinklestudy.mechanics.plate" in modules(scripts / f"{stage}.py")
+        assert "wrinklestudy.mechanics.plate" in modules(ADAPTER, [f"wrinklestudy.stages.{stage}"])
     for stage in ("material", "mesh", "gate"):
-        assert "wrinklestudy.mechanics.plate" not in modules(scripts / f"{stage}.py")
-
-
-def test_no_stage_imports_the_command_line_or_the_config():
-    scripts = SOURCE.parent / "workflow" / "scripts"
-    for script in scripts.glob("*.py"):
-        found = modules(script)
-        assert not {"wrinklestudy.cli", "wrinklestudy.study.config"} & found.keys(), script.name
+        found = modules(ADAPTER, [f"wrinklestudy.stages.{stage}"])
+        assert "wrinklestudy.mechanics.plate" not in found
 
 
 def test_the_templates_of_a_package_count_where_it_is_imported(source):
@@ -163,3 +160,12 @@ def test_code_may_lie_in_several_folders(source, tmp_path):
     before = code_digest(script, sources=sources)
     (beside / "checks.py").write_text("from wrinklestudy.laws import Law\n\nBOUND = 1\n")
     assert code_digest(script, sources=sources) != before
+
+
+@pytest.mark.parametrize("stage", STAGES)
+def test_no_stage_imports_the_command_line_the_config_or_another_stage(stage):
+    found = modules(ADAPTER, [f"wrinklestudy.stages.{stage}"])
+    assert f"wrinklestudy.stages.{stage}" in found
+    assert not [name for name in found if name.startswith("wrinklestudy.study.config.")]
+    assert "wrinklestudy.cli" not in found
+    assert not {f"wrinklestudy.stages.{other}" for other in STAGES if other != stage} & found.keys()

@@ -1,28 +1,39 @@
-"""The blocks of a config: their keys, what each may be, and its default."""
+"""The blocks of a config: their keys, what each may be, its default and the stages that take it."""
 
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
 
+from wrinklestudy.material.homogeneous import MODES as DEFORMATIONS
+from wrinklestudy.mechanics.bending import BENDING_LAWS
+from wrinklestudy.mechanics.laws import LAWS
 from wrinklestudy.results import cases
-from wrinklestudy.study.config_values import (
+from wrinklestudy.study.config.values import (
     Aspect,
+    Count,
     Filled,
     Name,
+    Number,
+    OneOf,
+    Place,
     Strain,
-    Text,
     Thickness,
     Window,
-    count,
-    number,
-    registered,
-    requirement,
+    within,
 )
+from wrinklestudy.vocabulary import CELLS, Limits, Parity
 
-Law = Annotated[str, registered("laws", "LAWS")]
-Bending = Annotated[str, registered("bending", "BENDING_LAWS")]
-Parity = Literal["antisymmetric", "symmetric"]
+Law = Annotated[str, OneOf(LAWS)]
+Bending = Annotated[str, OneOf(BENDING_LAWS)]
+DeformationMode = Annotated[str, OneOf(DEFORMATIONS)]
+Cells = Annotated[int, within(CELLS), Count]
+Few = Annotated[int, within(Limits(1, 50)), Count]
+
+
+def of_stages(*stages: str) -> dict[str, Any]:
+    """Return what the schema says of a key that stages take: `StudyConfig.settings`."""
+    return {"stages": list(stages)}
 
 
 class Block(BaseModel):
@@ -34,12 +45,12 @@ class Block(BaseModel):
 class MaterialBlock(Block):
     """Measured stress-strain data and the law that is fitted to it."""
 
-    data: Text = Field(description="CSV file with stress against strain")
+    data: Place = Field(description="CSV file with stress against strain")
     law: Law = Field(description="law to fit")
     stretch: Window | None = Field(
         default=None, description="lowest and highest stretch to fit; all of the data if left out"
     )
-    modes: Filled[Literal["uniaxial", "biaxial", "shear"]] | None = Field(
+    modes: Filled[DeformationMode] | None = Field(
         default=None, description="deformation modes to fit; all of the data if left out"
     )
 
@@ -88,47 +99,67 @@ class SheetsBlock(Block):
 class MeshBlock(Block):
     """Cells of the quarter sheet, for L/W = 2 and t/W = 1e-3; scaled for other sheets."""
 
-    cells_across: Annotated[int, count(2, 500)] = Field(
-        default=36, description="cells from the mid-line to the free edge"
+    cells_across: Cells = Field(
+        default=36,
+        description="cells from the mid-line to the free edge",
+        json_schema_extra=of_stages("mesh"),
     )
-    cells_along: Annotated[int, count(2, 500)] = Field(
-        default=24, description="cells from the middle to the clamp"
+    cells_along: Cells = Field(
+        default=24,
+        description="cells from the middle to the clamp",
+        json_schema_extra=of_stages("mesh"),
     )
-    grading: Annotated[float, number(">= 1 and <= 4", lambda v: 1 <= v <= 4)] = Field(
-        default=1.5, description="exponent by which the cells shrink toward the clamp; 1 is uniform"
+    grading: Annotated[float, within(Limits(1, 4)), Number] = Field(
+        default=1.5,
+        description="exponent by which the cells shrink toward the clamp; 1 is uniform",
+        json_schema_extra=of_stages("mesh"),
     )
 
 
 class PlateBlock(Block):
     """Model of the sheet."""
 
-    bending: Bending = Field(default="thinning", description="law of bending")
+    bending: Bending = Field(
+        default="thinning",
+        description="law of bending",
+        json_schema_extra=of_stages("planar", "stability"),
+    )
     parity: Parity = Field(
-        default="antisymmetric", description="symmetry of the wrinkles across the sheet"
+        default="antisymmetric",
+        description="symmetry of the wrinkles across the sheet",
+        json_schema_extra=of_stages("planar", "stability"),
     )
 
 
 class SolverBlock(Block):
     """Numerical settings of the solves."""
 
-    modes: Annotated[int, count(1, 50)] = Field(
-        default=8, description="leading critical thicknesses and modes that are computed"
+    modes: Few = Field(
+        default=8,
+        description="leading critical thicknesses and modes that are computed",
+        json_schema_extra=of_stages("planar", "stability"),
     )
-    tolerance: Annotated[float, number("> 0 and <= 1e-6", lambda v: 0 < v <= 1e-6)] = Field(
-        default=1e-22, description="Newton decrement over energy at which a state has converged"
+    tolerance: Annotated[float, within(Limits(0, 1e-6, above_lowest=True)), Number] = Field(
+        default=1e-22,
+        description="Newton decrement over energy at which a state has converged",
+        json_schema_extra=of_stages("wrinkle"),
     )
-    max_iterations: Annotated[int, count(1, 10000)] = Field(
-        default=200, description="Newton iterations from each seed"
+    max_iterations: Annotated[int, within(Limits(1, 10000)), Count] = Field(
+        default=200,
+        description="Newton iterations from each seed",
+        json_schema_extra=of_stages("wrinkle"),
     )
-    seeds: Annotated[int, count(1, 50)] = Field(
-        default=1, description="starting points of each wrinkled state; the lowest energy is kept"
+    seeds: Few = Field(
+        default=1,
+        description="starting points of each wrinkled state; the lowest energy is kept",
+        json_schema_extra=of_stages("wrinkle"),
     )
 
 
 class GateBlock(Block):
     """When a finished study counts as failed."""
 
-    allow_not_converged: Annotated[int, count(0, 1000000)] = Field(
+    allow_not_converged: Annotated[int, within(Limits(0, 1000000)), Count] = Field(
         default=0, description="number of cases that may end without convergence"
     )
 
@@ -148,9 +179,7 @@ class FiguresBlock(Block):
         default=None, description="figures to make; all of the study if left out"
     )
     sheet: FigureSheetBlock = Field(description="the sheet that the figures of a single sheet show")
-    compare: Annotated[
-        tuple[Name, ...], requirement("must be a list", lambda v: isinstance(v, list | tuple))
-    ] = Field(
+    compare: tuple[Name, ...] = Field(
         default=(),
         description="materials or variants that figures compare; that of the sheet if left out",
     )
@@ -159,8 +188,8 @@ class FiguresBlock(Block):
 class FoldersBlock(Block):
     """Where files are."""
 
-    results: Text = Field(default="results", description="folder of the results")
-    figures: Text = Field(default="figures", description="folder of the figures")
-    experiment: Text = Field(
+    results: Place = Field(default="results", description="folder of the results")
+    figures: Place = Field(default="figures", description="folder of the figures")
+    experiment: Place = Field(
         default="data/experiment", description="folder of your own measurements, if there is one"
     )

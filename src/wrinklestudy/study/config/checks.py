@@ -1,0 +1,180 @@
+"""A config is checked: each key, keys against each other, and the places that it names."""
+
+from collections.abc import Iterator, Sequence
+from os import PathLike, fspath
+from os.path import relpath
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from wrinklestudy.results import cases
+from wrinklestudy.study.config.blocks import FigureSheetBlock, SheetsBlock, StrainRange
+from wrinklestudy.study.config.model import StudyConfig
+from wrinklestudy.study.config.spelling import misleading
+from wrinklestudy.study.config.wording import closest, lines
+from wrinklestudy.study.loading import CatalogueError
+
+MAX_STRAINS = 1000
+
+
+class ConfigError(ValueError):
+    """The config is wrong; the message has one line per problem."""
+
+
+def load_config(
+    merged: Any, files: Sequence[str | PathLike[str]], overridden: bool = False
+) -> StudyConfig:
+    """Check a config that was put together from files, and the files themselves.
+
+    Parameters
+    ----------
+    merged : object
+        What all files say together.
+    files : sequence of path
+        The files, the one that goes over the others first.
+    overridden : bool
+        Whether single keys were given on the command line besides (``--config``).
+
+    Returns
+    -------
+    StudyConfig
+        The checked study.
+
+    Raises
+    ------
+    ConfigError
+        As `parse_config`; besides, if a key stands twice in a file, a number is spelt such that
+        YAML reads another one, or a folder or file that the config names cannot be what it should.
+    """
+    names = [relpath(fspath(file)) for file in files]
+    spellings = [line for name in names for line in misleading(name)]
+    if spellings:
+        raise ConfigError("\n".join(dict.fromkeys(spellings)))
+    source = " over ".join([*(["--config"] if overridden else []), *names])
+    study = parse_config(merged, source)
+    _refuse(list(wrong_places(study)), source)
+    return study
+
+
+def parse_config(raw: Any, source: str) -> StudyConfig:
+    """Check the content of a config; no file that it names is looked at.
+
+    Parameters
+    ----------
+    raw : object
+        What the YAML file holds.
+    source : str
+        Name of the file, for the messages.
+
+    Returns
+    -------
+    StudyConfig
+        The checked study.
+
+    Raises
+    ------
+    ConfigError
+        If anything is wrong: one line per problem with the dotted key, the value and what is
+        allowed.
+    """
+    try:
+        study = StudyConfig.model_validate(raw)
+    except ValidationError as error:
+        problems = lines(StudyConfig, error.errors(include_url=False))
+        raise ConfigError(_of_source(problems, source)) from None
+    _refuse(list(_contradictions(study)), source)
+    return study
+
+
+def _refuse(problems: Sequence[str], source: str) -> None:
+    if problems:
+        raise ConfigError(_of_source(problems, source))
+
+
+def _of_source(problems: Sequence[str], source: str) -> str:
+    return "\n".join(f"{source}: {problem}" for problem in dict.fromkeys(problems))
+
+
+def wrong_places(study: StudyConfig) -> Iterator[str]:
+    """Yield what is wrong with the folders and files that a config names."""
+    for key, folder in study.folders.model_dump().items():
+        for place in (Path(folder), *Path(folder).parents):
+            if place.exists() and not place.is_dir():
+                yield f"folders.{key} = {folder!r}: must be a folder; {place} is a file"
+    for name, material in study.materials.items():
+        data = Path(material.data)
+        if not data.is_file():
+            fault = "it is a folder" if data.is_dir() else "there is no such file"
+            yield f"materials.{name}.data = {material.data!r}: must be a CSV file; {fault}"
+
+
+def _contradictions(study: StudyConfig) -> Iterator[str]:
+    """Yield the problems between keys that are right by themselves."""
+    yield from _wrong_study(study)
+    yield from _wrong_variants(study)
+    known = [*study.materials, *study.variants]
+    for i, series in enumerate(study.sheets):
+        key = f"sheets[{i}]"
+        if series.material not in known:
+            hint = closest(series.material, known)
+            yield f"{key}.material = {series.material!r}: is not in materials or variants{hint}"
+        if isinstance(series.strain, StrainRange):
+            yield from _wrong_range(f"{key}.strain", series.strain)
+    yield from _missing_figure_sheets(study)
+
+
+def _wrong_study(study: StudyConfig) -> Iterator[str]:
+    try:
+        known = study.catalogue.figure_names
+    except CatalogueError as error:
+        yield str(error)
+        return
+    for i, name in enumerate(study.figures.names or ()):
+        if name not in known:
+            hint = closest(name, known)
+            yield f"figures.names[{i}] = {name!r}: is no figure of {study.study}{hint}"
+
+
+def _wrong_range(key: str, span: StrainRange) -> Iterator[str]:
+    if span.stop < span.start:
+        yield f"{key}.stop = {span.stop:g}: must be >= start = {span.start:g}"
+    elif span.stop - span.start > MAX_STRAINS * span.step:
+        yield f"{key}.step = {span.step:g}: must leave at most {MAX_STRAINS} strains"
+    else:
+        try:
+            cases.strain_range(span.start, span.stop, span.step)
+        except ValueError as error:
+            yield f"{key}.{error}"
+
+
+def _wrong_variants(study: StudyConfig) -> Iterator[str]:
+    for name, variant in study.variants.items():
+        if name in study.materials:
+            yield f"variants.{name}: is the name of a material; a variant needs one of its own"
+        if variant.material not in study.materials:
+            hint = closest(variant.material, study.materials)
+            yield f"variants.{name}.material = {variant.material!r}: is not in materials{hint}"
+        if variant.bending is None and variant.parity is None:
+            yield f"variants.{name}: must have bending, parity or both"
+
+
+def _missing_figure_sheets(study: StudyConfig) -> Iterator[str]:
+    shown = study.figures.sheet
+    models = {"sheet": shown.material}
+    models |= {f"compare[{i}]": model for i, model in enumerate(study.figures.compare)}
+    for key, model in models.items():
+        sheet = shown.model_copy(update={"material": model})
+        if not any(_holds(series, sheet) for series in study.sheets):
+            yield (
+                f"figures.{key} = {model}, {shown.aspect:g}, {shown.thickness:g}: "
+                "must be a sheet of sheets (material, aspect, thickness)"
+            )
+
+
+def _holds(series: SheetsBlock, sheet: FigureSheetBlock) -> bool:
+    return (
+        series.material == sheet.material
+        and cases.canonical(sheet.aspect) in map(cases.canonical, series.aspect)
+        and cases.canonical(sheet.thickness) in map(cases.canonical, series.thickness)
+    )

@@ -1,0 +1,131 @@
+"""The config of a study as a whole, and what follows from it: cases, sheets, settings."""
+
+from dataclasses import replace
+from functools import cached_property
+from itertools import groupby
+from operator import attrgetter
+from typing import Annotated, Any
+
+from pydantic import Field
+from pydantic.fields import FieldInfo
+
+from wrinklestudy.results import cases
+from wrinklestudy.results.cases import Case, StudySheet
+from wrinklestudy.study.catalogue import Catalogue, FigureEntry
+from wrinklestudy.study.config.blocks import (
+    Block,
+    FiguresBlock,
+    FoldersBlock,
+    GateBlock,
+    MaterialBlock,
+    MeshBlock,
+    PlateBlock,
+    SheetsBlock,
+    SolverBlock,
+    VariantBlock,
+)
+from wrinklestudy.study.config.values import Filled, Name, Place
+from wrinklestudy.study.loading import load_catalogue
+
+
+class StudyConfig(Block):
+    """A whole study."""
+
+    study: Place = Field(
+        default="panaitescu2019",
+        description="figures and claims: a study of this package, or a folder or .py file",
+    )
+    folders: FoldersBlock = Field(default_factory=FoldersBlock, description="where files are")
+    materials: Annotated[
+        dict[Name, MaterialBlock],
+        Field(
+            min_length=1,
+            json_schema_extra={"errorMessage": "must be a block with at least one material"},
+        ),
+    ] = Field(description="materials by name")
+    variants: dict[Name, VariantBlock] = Field(
+        default_factory=dict, description="variants of the materials by name"
+    )
+    sheets: Filled[SheetsBlock] = Field(description="the sheets and strains to compute")
+    mesh: MeshBlock = Field(default_factory=MeshBlock, description="mesh of the quarter sheet")
+    plate: PlateBlock = Field(default_factory=PlateBlock, description="model of the sheet")
+    solver: SolverBlock = Field(default_factory=SolverBlock, description="settings of the solves")
+    gate: GateBlock = Field(
+        default_factory=GateBlock, description="when the study counts as failed"
+    )
+    figures: FiguresBlock = Field(description="which figures are made")
+
+    @cached_property
+    def catalogue(self) -> Catalogue:
+        """The catalogue of the study that the config names."""
+        return load_catalogue(self.study)
+
+    @property
+    def figures_to_make(self) -> tuple[FigureEntry, ...]:
+        """The figures that the config names, all of the catalogue if it names none."""
+        names = self.figures.names or self.catalogue.figure_names
+        return tuple(self.catalogue.figure(name) for name in names)
+
+    def base(self, model: str) -> str:
+        """Return the material of a model, which is a material or a variant of one."""
+        return self.variants[model].material if model in self.variants else model
+
+    def settings(self, stage: str, model: str = "") -> dict[str, Any]:
+        """Return the settings that a stage takes, sorted: only what it depends on.
+
+        Parameters
+        ----------
+        stage : str
+            Name of the stage.
+        model : str, optional
+            Material or variant; what a variant sets goes over the block plate.
+        """
+        taken = {
+            key: getattr(block, key)
+            for block in (self.mesh, self.plate, self.solver)
+            for key, field in type(block).model_fields.items()
+            if stage in _stages(field)
+        }
+        if model in self.variants:
+            own = self.variants[model].model_dump(exclude_none=True)
+            taken |= {key: own[key] for key in taken.keys() & own.keys()}
+        return dict(sorted(taken.items()))
+
+    @cached_property
+    def cases(self) -> tuple[Case, ...]:
+        """All cases, each once, sorted."""
+        return cases.cases((s.material, s.aspect, s.thickness, s.strains) for s in self.sheets)
+
+    @cached_property
+    def _cases_by_sheet(self) -> dict[StudySheet, tuple[Case, ...]]:
+        groups = groupby(self.cases, key=attrgetter("sheet"))
+        return {sheet: tuple(found) for sheet, found in groups}
+
+    @property
+    def all_sheets(self) -> tuple[StudySheet, ...]:
+        """All sheets, each once, sorted."""
+        return tuple(self._cases_by_sheet)
+
+    def cases_of(self, sheet: StudySheet) -> tuple[Case, ...]:
+        """Return the cases of a sheet by strain; none if the study lacks it."""
+        return self._cases_by_sheet.get(sheet, ())
+
+    @property
+    def figure_sheet(self) -> StudySheet:
+        """The sheet that the figures of a single sheet show."""
+        sheet = self.figures.sheet
+        return StudySheet(
+            sheet.material, cases.canonical(sheet.aspect), cases.canonical(sheet.thickness)
+        )
+
+    @property
+    def compared_sheets(self) -> tuple[StudySheet, ...]:
+        """The sheets of the figures that compare models: that of `figure_sheet` in each model."""
+        models = dict.fromkeys(self.figures.compare or (self.figures.sheet.material,))
+        return tuple(replace(self.figure_sheet, material=model) for model in models)
+
+
+def _stages(field: FieldInfo) -> Any:
+    """Return the stages that take a key: `blocks.of_stages`."""
+    extra = field.json_schema_extra
+    return extra.get("stages", []) if isinstance(extra, dict) else []

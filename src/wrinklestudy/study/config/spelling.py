@@ -1,0 +1,54 @@
+"""What a reader of YAML loses without a word: keys that stand twice, numbers read as others."""
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import yaml
+
+# What everybody reads as YAML does. Not these: 1_000, 010 (octal), 0x10, 1:30 (in sixties).
+_PLAIN = re.compile(r"[-+]?(0|[1-9][0-9]*|[0-9]*\.[0-9]+|[0-9]+\.[0-9]*)([eE][-+]?[0-9]+)?")
+_NUMBERS = ("tag:yaml.org,2002:int", "tag:yaml.org,2002:float")
+_NOT_FINITE = re.compile(r"[-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN)")
+
+
+def misleading(path: str) -> list[str]:
+    """Return what is misleading in a YAML file, one line each with file, line and key.
+
+    Parameters
+    ----------
+    path : str
+        YAML or JSON file that can be read as such.
+    """
+    root = yaml.compose(Path(path).read_text(encoding="utf-8"), Loader=yaml.SafeLoader)
+    problems = [] if root is None else sorted(set(_problems(root, "")))
+    return [f"{path}, line {line + 1}: {text}" for line, text in problems]
+
+
+def _problems(node: yaml.Node, key: str) -> Iterator[tuple[int, str]]:
+    """Yield line (from 0) and text of each problem in a part of a file."""
+    if isinstance(node, yaml.MappingNode):
+        lines: dict[str, int] = {}
+        for name, value in node.value:
+            inner = f"{key}.{name.value}".removeprefix(".")
+            line = name.start_mark.line
+            if not isinstance(name, yaml.ScalarNode):
+                continue  # no key of a config; refused when the content is checked
+            if name.value in lines:
+                yield line, f"{inner} stands twice, first in line {lines[name.value] + 1}"
+            lines[name.value] = line
+            yield from _problems(value, inner)
+    elif isinstance(node, yaml.SequenceNode):
+        for index, value in enumerate(node.value):
+            yield from _problems(value, f"{key}[{index}]")
+    elif isinstance(node, yaml.ScalarNode) and _is_odd(node):
+        read = yaml.safe_load(node.value)
+        text = f"{key} = {node.value}: YAML reads {read}; write plain digits"
+        yield node.start_mark.line, text
+
+
+def _is_odd(node: yaml.ScalarNode) -> bool:
+    """Whether a number is read as another one than it looks like."""
+    text = node.value
+    odd = not (_PLAIN.fullmatch(text) or _NOT_FINITE.fullmatch(text))
+    return odd and node.tag in _NUMBERS and node.style is None

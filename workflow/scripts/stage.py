@@ -1,0 +1,26 @@
+"""The stage of a rule: named inputs and params go to its `run` as they are called in the rule.
+
+`output` is a path, or a mapping where the outputs have names. Inputs without a name are only waited
+for; `code` and `caption` are for Snakemake and the report.
+"""
+
+from typing import TYPE_CHECKING
+
+from wrinklestudy.stages.log import log_to
+from wrinklestudy.stages.memory import no_garbage_collection
+
+if TYPE_CHECKING:
+    from snakemake.iocontainers import snakemake
+
+with no_garbage_collection(), log_to(snakemake.log[0]):
+    from importlib import import_module
+
+    stage = import_module(f"wrinklestudy.stages.{snakemake.rule}")
+    inputs = {
+        name: file if isinstance(file, str) else list(file)
+        for name, file in snakemake.input.items()
+    }
+    params = {
+        name: value for name, value in snakemake.params.items() if name not in ("code", "caption")
+    }
+    stage.run(**inputs, **params, output=dict(snakemake.output.items()) or snakemake.output[0])
