@@ -20,10 +20,10 @@ from wrinklestudy.equilibrium.planar import solve as solve_planar  # noqa: E402
 from wrinklestudy.equilibrium.wrinkled import solve  # noqa: E402
 from wrinklestudy.fem.grid import MeshSettings, make_grid  # noqa: E402
 from wrinklestudy.fem.space import Space  # noqa: E402
+from wrinklestudy.files.storage import write_json  # noqa: E402
 from wrinklestudy.mechanics.laws import Material, mooney_rivlin, neo_hookean, saint_venant_kirchhoff  # noqa: E402
 from wrinklestudy.metrics.interpolant import DeformedSheet  # noqa: E402
 from wrinklestudy.metrics.measure import measure_sheet  # noqa: E402
-from wrinklestudy.results.files import write_json  # noqa: E402
 
 LATEX = mooney_rivlin(6.21e4, 1.58e5)
 NEO_HOOKEAN, SVK = neo_hookean(2.2e5), saint_venant_kirchhoff(1.0e6)

@@ -20,7 +20,7 @@ from statistics import median
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from wrinklestudy.results.files import write_json
+from wrinklestudy.files.storage import write_json
 
 # What a job of a wrinkled state imports, each on top of those before
 IMPORTS = {

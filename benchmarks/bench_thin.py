@@ -12,7 +12,7 @@ import sys
 import time
 from typing import Any
 
-from wrinklestudy.results.files import write_json
+from wrinklestudy.files.storage import write_json
 
 STRAIN = 0.1
 THICKNESSES = (1.0e-3, 1.0e-4, 2.0e-5)

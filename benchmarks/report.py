@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from wrinklestudy.fem.grid import MeshSettings
-from wrinklestudy.results.files import atomic_path
+from wrinklestudy.files.storage import atomic_path
 from wrinklestudy.study.pages import number, render
 
 TEMPLATES = Path(__file__).parent / "templates"

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any, Literal
 
-from wrinklestudy.results.files import read_json, write_json
+from wrinklestudy.files.storage import read_json, write_json
 from wrinklestudy.typing import AnyPath
 
 Comparison = Literal["absolute", "relative", "at most", "at least", "more than"]

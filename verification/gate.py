@@ -5,7 +5,7 @@ from typing import Any
 
 from verification.checks import read
 from verification.page import requirement
-from wrinklestudy.results.files import read_json, write_json
+from wrinklestudy.files.storage import read_json, write_json
 from wrinklestudy.study.pages import number
 from wrinklestudy.typing import AnyPath
 

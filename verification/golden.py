@@ -14,9 +14,9 @@ from pathlib import Path
 
 from verification.tools.sheets import LATEX, NEO_HOOKEAN, SVK, TEN_TO_ONE
 from wrinklestudy.fem.grid import MeshSettings
+from wrinklestudy.files.storage import atomic_path
 from wrinklestudy.material.fit import fit
 from wrinklestudy.mechanics.laws import Material
-from wrinklestudy.results.files import atomic_path
 from wrinklestudy.sheet import Sheet, State
 from wrinklestudy.vocabulary import Parity
 

@@ -9,7 +9,7 @@ import threadpoolctl
 from scipy import sparse
 
 from wrinklestudy.fem.factorisation import make_solver
-from wrinklestudy.results.files import write_json
+from wrinklestudy.files.storage import write_json
 from wrinklestudy.typing import AnyPath
 
 PACKAGES = ("numpy", "scipy", "scikit-fem", "pypardiso", "mkl")

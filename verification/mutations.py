@@ -16,7 +16,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from textwrap import shorten
 
-from wrinklestudy.results.files import write_json
+from wrinklestudy.files.storage import write_json
 from wrinklestudy.study.digest import PACKAGE, SOURCE
 
 PROJECT = Path(__file__).resolve().parents[1]  # where the package `verification` lies

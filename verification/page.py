@@ -7,7 +7,7 @@ from typing import Any
 
 from verification import templates
 from verification.checks import read
-from wrinklestudy.results.files import atomic_path, read_json
+from wrinklestudy.files.storage import atomic_path, read_json
 from wrinklestudy.study.pages import markdown, number, render
 from wrinklestudy.typing import AnyPath
 

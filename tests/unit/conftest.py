@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from made_up_rows import limits_row, state_row
 
-from wrinklestudy.results.files import write_h5
+from wrinklestudy.files.storage import write_h5
 from wrinklestudy.results.tables import write_states
 from wrinklestudy.study.figures.inputs import Inputs
 

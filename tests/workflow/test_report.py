@@ -90,8 +90,8 @@ def seen(report, tmp_path_factory):
 
 # What a reader must be told of each file that is no figure.
 TOLD = {
-    "claims/claims.html": ("statement", "computed", "agree", "tolerance"),
-    "claims/claims.csv": ("statement", "computed", "agree", "tolerance"),
+    "claims/claims.html": ("claimed", "computed", "agree", "tolerance"),
+    "claims/claims.csv": ("claimed", "computed", "agree", "tolerance"),
     "claims/table1.csv": ("Table I", "computed"),
     "summary/peaks.csv": (
         "each sheet",

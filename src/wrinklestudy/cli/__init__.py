@@ -20,7 +20,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         print(f"wrinklestudy {arguments.command}: {error}", file=sys.stderr)
         return 2
     if arguments.json:
-        from wrinklestudy.results.files import format_json
+        from wrinklestudy.files.storage import format_json
 
         print(format_json(result), end="")
     else:

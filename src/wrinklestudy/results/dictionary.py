@@ -6,7 +6,7 @@
 import sys
 from collections.abc import Iterable, Mapping, Sequence
 
-from wrinklestudy.results.files import atomic_path
+from wrinklestudy.files.storage import atomic_path
 from wrinklestudy.results.rows import Column
 from wrinklestudy.results.tables import PEAK_COLUMNS, STABILITY_COLUMNS, STATE_COLUMNS
 

@@ -17,9 +17,9 @@ from wrinklestudy.equilibrium.wrinkled import Equilibrium
 from wrinklestudy.fem.boundary import Symmetry
 from wrinklestudy.fem.grid import Grid
 from wrinklestudy.fem.space import Space
+from wrinklestudy.files.storage import read_h5, write_h5
 from wrinklestudy.mechanics import laws
 from wrinklestudy.metrics.interpolant import DeformedSheet
-from wrinklestudy.results.files import read_h5, write_h5
 from wrinklestudy.results.rows import StateRow, columns, make_row
 from wrinklestudy.typing import AnyPath
 

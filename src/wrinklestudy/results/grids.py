@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from wrinklestudy.fem.grid import Grid
-from wrinklestudy.results.files import atomic_path
+from wrinklestudy.files.storage import atomic_path
 
 
 def write_grid(grid: Grid, output: Path | str) -> None:

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 from os import fspath
 from typing import Any
 
-from wrinklestudy.results.files import read_json
+from wrinklestudy.files.storage import read_json
 from wrinklestudy.results.peaks import sheet_row
 from wrinklestudy.results.rows import Limits, SheetIdentity, StateRow, columns, key_text, make_row
 from wrinklestudy.results.sheets import SheetStates

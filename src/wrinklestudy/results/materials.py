@@ -4,9 +4,9 @@ from pathlib import Path
 
 import numpy as np
 
+from wrinklestudy.files.storage import read_json
 from wrinklestudy.material.result import Fit
 from wrinklestudy.mechanics.laws import Material, law_of
-from wrinklestudy.results.files import read_json
 
 
 def load_fit(path: str | Path) -> Fit:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from os import fspath
 from typing import TYPE_CHECKING, Any
 
-from wrinklestudy.results.files import atomic_path
+from wrinklestudy.files.storage import atomic_path
 from wrinklestudy.results.rows import (
     Column,
     Limits,

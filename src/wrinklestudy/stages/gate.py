@@ -3,7 +3,7 @@
 from collections import Counter
 from os import fspath
 
-from wrinklestudy.results.files import write_json
+from wrinklestudy.files.storage import write_json
 from wrinklestudy.results.tables import read_states
 from wrinklestudy.typing import AnyPath
 

@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 from pathlib import Path
 
+from wrinklestudy.files.storage import write_json
 from wrinklestudy.material.data import read
 from wrinklestudy.material.fit import fit
-from wrinklestudy.results.files import write_json
 
 
 def run(

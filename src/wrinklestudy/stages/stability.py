@@ -37,7 +37,7 @@ def run(
     name : str, optional
         Name of the model in the study; that of the material file by default.
     """
-    from wrinklestudy.results.files import read_h5, write_json
+    from wrinklestudy.files.storage import read_h5, write_json
     from wrinklestudy.results.materials import load_material
 
     attributes = [read_h5(path, ())[1] for path in planar]

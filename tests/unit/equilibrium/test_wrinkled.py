@@ -9,9 +9,9 @@ from wrinklestudy.equilibrium.seeds import seed_position
 from wrinklestudy.equilibrium.wrinkled import WrinkleSettings, minimise_from, solve
 from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.space import Space
+from wrinklestudy.files.storage import read_h5
 from wrinklestudy.mechanics.laws import mooney_rivlin
 from wrinklestudy.results.fields import write_planar, write_wrinkle
-from wrinklestudy.results.files import read_h5
 from wrinklestudy.stages.wrinkle import run
 
 LATEX = mooney_rivlin(6.21e4, 1.58e5)

@@ -7,7 +7,7 @@ import pandas as pd
 import pytest
 from made_up_rows import SHEET
 
-from wrinklestudy.results.files import write_h5
+from wrinklestudy.files.storage import write_h5
 from wrinklestudy.results.rows import StateRow, columns
 from wrinklestudy.results.states import measure_state
 from wrinklestudy.stages import metrics

@@ -11,8 +11,8 @@ from html.parser import HTMLParser
 import numpy as np
 import pytest
 
+from wrinklestudy.files.storage import write_json
 from wrinklestudy.material.result import Fit
-from wrinklestudy.results.files import write_json
 from wrinklestudy.results.tables import PEAK_COLUMNS, STABILITY_COLUMNS
 from wrinklestudy.results.tables import STATE_COLUMNS as COLUMNS
 from wrinklestudy.stages.claims import run

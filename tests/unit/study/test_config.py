@@ -153,7 +153,8 @@ STRAIN = ("sheets", 0, "strain")
         (
             ("variants", "latex-fixed", "bending"),
             "fixed",
-            "variants.latex-fixed.bending = 'fixed': must be 'thinning', 'fixed-thickness' or 'fvk'",
+            "variants.latex-fixed.bending = 'fixed': "
+            "must be 'thinning', 'fixed-thickness' or 'fvk'",
         ),
         (
             ("variants", "Fixed"),

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from verification import gate, machine, page
 from verification.checks import Check, Group, Table, read, write
-from wrinklestudy.results.files import write_json
+from wrinklestudy.files.storage import write_json
 from wrinklestudy.study.pages import anchor, markdown
 
 ROOT = Path(__file__).parents[3]

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from wrinklestudy.files.storage import read_json
 from wrinklestudy.material.result import Fit
-from wrinklestudy.results.files import read_json
 from wrinklestudy.results.materials import load_fit
 from wrinklestudy.results.rows import SheetIdentity, columns
 from wrinklestudy.results.sheets import MissingError, SheetStates

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from wrinklestudy.results.files import atomic_path
+from wrinklestudy.files.storage import atomic_path
 from wrinklestudy.study.claims.extra_table import ExtraTable
 from wrinklestudy.study.claims.finding import Claim, Finding
 from wrinklestudy.typing import AnyPath

@@ -12,8 +12,8 @@ from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 
+from wrinklestudy.files.storage import atomic_path
 from wrinklestudy.mechanics.laws import LAWS
-from wrinklestudy.results.files import atomic_path
 
 # Widths in cm of the paper's figures: one column and two.
 COLUMN = 6.5

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from wrinklestudy.results import files
+from wrinklestudy.files import storage
 
 
 def test_a_failed_write_keeps_the_old_file_and_leaves_no_other(tmp_path):
@@ -15,7 +15,7 @@ def test_a_failed_write_keeps_the_old_file_and_leaves_no_other(tmp_path):
     output.write_text("old")
 
     def fail():
-        with files.atomic_path(output) as path:
+        with storage.atomic_path(output) as path:
             path.write_text("half")
             raise RuntimeError("killed")
 
@@ -27,7 +27,7 @@ def test_a_failed_write_keeps_the_old_file_and_leaves_no_other(tmp_path):
 
 def test_the_temporary_file_is_a_hidden_neighbour_with_the_same_suffix(tmp_path):
     output = tmp_path / "new" / "strain0.12.h5"
-    with files.atomic_path(output) as path:
+    with storage.atomic_path(output) as path:
         assert path.parent == output.parent
         assert path.suffix == ".h5"
         assert path.name.startswith(".")
@@ -38,9 +38,9 @@ def test_the_temporary_file_is_a_hidden_neighbour_with_the_same_suffix(tmp_path)
 
 def test_unwritable_content_writes_nothing(tmp_path):
     with pytest.raises(ValueError, match="JSON"):
-        files.write_json(tmp_path / "a.json", {"x": float("inf")})
+        storage.write_json(tmp_path / "a.json", {"x": float("inf")})
     with pytest.raises(TypeError, match="'settings'"):
-        files.write_h5(tmp_path / "a.h5", {"x": np.ones(2)}, {"settings": {"a": 1}})
+        storage.write_h5(tmp_path / "a.h5", {"x": np.ones(2)}, {"settings": {"a": 1}})
     assert list(tmp_path.iterdir()) == []
 
 
@@ -62,21 +62,21 @@ def without_nan(value):
 @given(json_values)
 def test_json_round_trip_with_nan_as_null(tmp_path_factory, value):
     path = tmp_path_factory.mktemp("json") / "value.json"
-    files.write_json(path, value)
-    assert files.read_json(path) == without_nan(value)
+    storage.write_json(path, value)
+    assert storage.read_json(path) == without_nan(value)
 
 
 def test_json_takes_numpy_and_does_not_depend_on_the_order_of_keys():
     numpy = {"b": np.float64(0.1), "a": np.array([[1.0, np.nan]]), "c": np.int64(3)}
     plain = {"a": [[1.0, None]], "b": 0.1, "c": 3}
-    assert files.format_json(numpy) == files.format_json(plain)
+    assert storage.format_json(numpy) == storage.format_json(plain)
 
 
 def test_bad_json_is_named_with_its_line(tmp_path):
     path = tmp_path / "latex.json"
     path.write_text('{"a": 1,\n b}')
     with pytest.raises(ValueError, match=r"latex\.json: line 2 is not JSON"):
-        files.read_json(path)
+        storage.read_json(path)
 
 
 def test_h5_round_trip(tmp_path):
@@ -96,8 +96,8 @@ def test_h5_round_trip(tmp_path):
         "empty": [],
     }
     path = tmp_path / "state.h5"
-    files.write_h5(path, datasets, attrs)
-    got, got_attrs = files.read_h5(path)
+    storage.write_h5(path, datasets, attrs)
+    got, got_attrs = storage.read_h5(path)
     assert got.keys() == datasets.keys()
     assert got["law"] == datasets["law"]
     assert np.array_equal(got["position"], datasets["position"])
@@ -108,31 +108,31 @@ def test_h5_round_trip(tmp_path):
         assert type(got_attrs[name]) is type(attrs[name])
     assert np.array_equal(got_attrs["residuals"], attrs["residuals"])
     assert len(got_attrs["empty"]) == 0
-    assert files.read_h5(path, ())[0] == {}
-    assert list(files.read_h5(path, ("position",))[0]) == ["position"]
+    assert storage.read_h5(path, ())[0] == {}
+    assert list(storage.read_h5(path, ("position",))[0]) == ["position"]
 
 
 def test_h5_has_no_time_stamp_and_no_order_of_writing(tmp_path):
     datasets = {"b/x": np.arange(100.0), "a": np.ones((3, 3)), "note": "text"}
     attrs = {"strain": 0.1, "reason": None, "status": "flat"}
-    files.write_h5(tmp_path / "1.h5", datasets, attrs)
+    storage.write_h5(tmp_path / "1.h5", datasets, attrs)
     time.sleep(1.1)  # HDF5 counts whole seconds
     backwards = dict(reversed(datasets.items())), dict(reversed(attrs.items()))
-    files.write_h5(tmp_path / "2.h5", *backwards)
+    storage.write_h5(tmp_path / "2.h5", *backwards)
     assert (tmp_path / "1.h5").read_bytes() == (tmp_path / "2.h5").read_bytes()
 
 
 def test_h5_costs_little_more_than_its_numbers(tmp_path):
-    files.write_h5(tmp_path / "x.h5", {"x": np.ones(10_000)}, {"strain": 0.1})
+    storage.write_h5(tmp_path / "x.h5", {"x": np.ones(10_000)}, {"strain": 0.1})
     assert (tmp_path / "x.h5").stat().st_size < 80_000 + 8_000
 
 
 def test_a_file_that_is_no_h5_is_named(tmp_path):
     with pytest.raises(FileNotFoundError, match=r"none\.h5: no such file"):
-        files.read_h5(tmp_path / "none.h5")
+        storage.read_h5(tmp_path / "none.h5")
     (tmp_path / "text.h5").write_text("hello")
     with pytest.raises(ValueError, match=r"text\.h5: not a complete HDF5 file"):
-        files.read_h5(tmp_path / "text.h5")
-    files.write_h5(tmp_path / "x.h5", {"x": np.ones(1)}, {})
+        storage.read_h5(tmp_path / "text.h5")
+    storage.write_h5(tmp_path / "x.h5", {"x": np.ones(1)}, {})
     with pytest.raises(ValueError, match=r"x\.h5: has no dataset 'y'"):
-        files.read_h5(tmp_path / "x.h5", ("y",))
+        storage.read_h5(tmp_path / "x.h5", ("y",))
