@@ -62,7 +62,7 @@ MESHES = {
 
 def amplitudes(mesh: MeshSettings) -> dict[str, tuple[float, float]]:
     """Return A/t and tau_1/W of all cases on one mesh."""
-    found = {}
+    values = {}
     for name, sheet in SHEETS.items():
         space = Space(make_grid(sheet.aspect, sheet.thickness, mesh))
         for strain in sheet.strains:
@@ -73,8 +73,8 @@ def amplitudes(mesh: MeshSettings) -> dict[str, tuple[float, float]]:
             nodes = space.nodes_from_field(state.position)
             profile = measure_sheet(DeformedSheet(space.grid, nodes, sheet.settings.symmetry))
             tau = planar.modes.critical_thickness
-            found[f"{name} at {strain:g}"] = profile.amplitude / sheet.thickness, tau
-    return found
+            values[f"{name} at {strain:g}"] = profile.amplitude / sheet.thickness, tau
+    return values
 
 
 def run() -> list[dict[str, Any]]:
@@ -94,14 +94,14 @@ def run() -> list[dict[str, Any]]:
 def errors(mesh: MeshSettings, reference: dict[str, tuple[float, float]]) -> dict[str, Any]:
     """Return the largest errors of a mesh in parts of the reference, where, and the CPU time."""
     start = time.process_time()
-    found = amplitudes(mesh)
+    values = amplitudes(mesh)
     seconds = time.process_time() - start
     peaks: dict[str, float] = {}
     for name, (amplitude, _) in reference.items():
         sheet = name.split(" at ")[0]
         peaks[sheet] = max(peaks.get(sheet, 0.0), amplitude)
-    of_a = {n: abs(a - reference[n][0]) / peaks[n.split(" at ")[0]] for n, (a, _) in found.items()}
-    of_tau = {n: abs(tau / reference[n][1] - 1.0) for n, (_, tau) in found.items()}
+    of_a = {n: abs(a - reference[n][0]) / peaks[n.split(" at ")[0]] for n, (a, _) in values.items()}
+    of_tau = {n: abs(tau / reference[n][1] - 1.0) for n, (_, tau) in values.items()}
     return {
         "along": mesh.cells_along,
         "across": mesh.cells_across,

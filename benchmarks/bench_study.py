@@ -102,6 +102,6 @@ def logged(folder: Path) -> dict[str, dict[str, float]]:
 
 
 if __name__ == "__main__":
-    found = run(sys.argv[2:])
-    write_json(sys.argv[1], found)
-    print(json.dumps(found, indent=1))
+    times = run(sys.argv[2:])
+    write_json(sys.argv[1], times)
+    print(json.dumps(times, indent=1))

@@ -58,13 +58,13 @@ def main(target: str) -> None:
     try:
         thickness = float(target)
     except ValueError:
-        found = []
+        sheets = []
         for value in THICKNESSES:
             command = [sys.executable, __file__, str(value)]
             done = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True)
             print(done.stdout, end="", flush=True)
-            found.append(json.loads(done.stdout))
-        write_json(target, {"strain": STRAIN, "sheets": found})
+            sheets.append(json.loads(done.stdout))
+        write_json(target, {"strain": STRAIN, "sheets": sheets})
     else:
         print(json.dumps(solve(thickness)))
 

@@ -55,13 +55,13 @@ def processor(cpuinfo: Path) -> str:
 
 def kernels() -> list[str]:
     """Return the BLAS libraries that are loaded with the kernels that they chose."""
-    found = {
+    versions = {
         f"{library['internal_api']} {library['version']}"
         + (f" ({library['architecture']})" if library.get("architecture") else "")
         for library in threadpoolctl.threadpool_info()
         if library["user_api"] == "blas"
     }
-    return sorted(found)
+    return sorted(versions)
 
 
 def _version(package: str) -> str:

@@ -72,8 +72,8 @@ MUTATIONS = (
         "kernel",
         "a sign in the Hessian",
         "mechanics/plate.py",
-        "out -= section.moment[a - 2] * shape.dual[b, i] * normal[j]",
-        "out += section.moment[a - 2] * shape.dual[b, i] * normal[j]",
+        "out -= section.moment[a - 2] * surface.dual[b, i] * normal[j]",
+        "out += section.moment[a - 2] * surface.dual[b, i] * normal[j]",
     ),
     Mutation(
         "kernel",

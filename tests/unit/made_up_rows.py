@@ -1,6 +1,6 @@
 """Made-up rows of the tables, for the tests that read and write them."""
 
-from wrinklestudy.results.rows import Limits, StateRow, columns, make_row
+from wrinklestudy.results.rows import StabilityRow, StateRow, columns, make_row
 
 SHEET = {
     "material": "latex",
@@ -23,4 +23,4 @@ def limits_row(birth=0.02, decay=0.42, **values):
     """Return where the sheet `SHEET` is unstable."""
     ends = {"birth_strain": birth, "decay_strain": decay}
     highest = {"max_critical_thickness": 2e-3, "strain_at_max": 0.1}
-    return make_row(Limits, SHEET | ends | highest | values, "test", "row")
+    return make_row(StabilityRow, SHEET | ends | highest | values, "test", "row")

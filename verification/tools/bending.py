@@ -123,10 +123,10 @@ def elastica(law: Law, bending: str, shortening: float, cells: int) -> Elastica:
     fixed[:2] = False
     start[fixed] = np.where(np.abs(start[fixed]) < 1e-12, 0.0, start[fixed])
     problem = LoadedSheet(space, Section(law, STRIP_THICKNESS, bending), free, start)
-    found = problem.solve()
-    forces = problem.reactions(found[free])
+    position = problem.solve()
+    forces = problem.reactions(position[free])
     end = space.edge_dofs("right", ["u"])
-    heights = space.nodes_from_field(found)[2, VALUE, :, 0]
+    heights = space.nodes_from_field(position)[2, VALUE, :, 0]
     return Elastica(-2.0 * float(forces[0, end].sum()), abs(float(heights[0] - heights[-1])))
 
 
@@ -151,5 +151,5 @@ def clamped_plate(law: Law, bending: str, cells: int) -> float:
     load = np.zeros((3, space.size))
     load[2] = pressure * LinearForm(lambda v, _: v).assemble(basis)
     section = Section(law, PLATE_THICKNESS, bending)
-    found = LoadedSheet(space, section, free, affine(space, 1.0, 1.0), load).solve(rough=0.1)
-    return float(space.nodes_from_field(found)[2, VALUE, 0, 0]) * rigidity / pressure
+    position = LoadedSheet(space, section, free, affine(space, 1.0, 1.0), load).solve(rough=0.1)
+    return float(space.nodes_from_field(position)[2, VALUE, 0, 0]) * rigidity / pressure

@@ -199,9 +199,9 @@ def rigid_errors(section: Section, space: Space) -> tuple[float, float, float]:
         turn = Rotation.from_rotvec((0.0, 0.0, TURN[2])).as_matrix()
     ones = nodes(space)
     ones[VALUE] = 1.0
-    one = space.field_from_nodes(ones)
+    uniform = space.field_from_nodes(ones)
     before = curved(space)
-    after = turn @ before + np.outer(SHIFT, one)
+    after = turn @ before + np.outer(SHIFT, uniform)
     everything = np.ones(before.shape, dtype=bool)
     energies, residuals = [], []
     for position in (before, after):
@@ -212,7 +212,7 @@ def rigid_errors(section: Section, space: Space) -> tuple[float, float, float]:
     drift = np.linalg.norm(residuals[1] - turn @ residuals[0]) / np.linalg.norm(residuals[0])
     axes = np.eye(3) if section.bending != "fvk" else np.eye(3)[2:]
     spins = [np.cross(axis, before, axis=0) for axis in axes]
-    velocities = [np.outer(axis, one) for axis in np.eye(3)] + spins
+    velocities = [np.outer(axis, uniform) for axis in np.eye(3)] + spins
     terms = [residuals[0] * velocity for velocity in velocities]
     work = max(abs(float(term.sum())) / float(np.abs(term).sum()) for term in terms)
     return abs(energies[1] / energies[0] - 1.0), float(drift), work

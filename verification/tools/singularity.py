@@ -74,11 +74,11 @@ def exponents(strains: Sequence[float]) -> tuple[list[Check], Table, Densities]:
     spaces = [Space(halved(make_grid(ASPECT), times)) for times in range(0, DEEPEST + 1, 2)]
     plotted = {}
     for strain in (SMALL_STRAIN, *strains):
-        found = [peak_density(space, strain) for space in spaces]
-        plotted[strain] = found
-        (big, low), (small, high) = found[-2:]
+        peaks = [peak_density(space, strain) for space in spaces]
+        plotted[strain] = peaks
+        (big, low), (small, high) = peaks[-2:]
         exponent = 1.0 + 0.5 * float(np.log(high / low) / np.log(small / big))
-        rows.append([f"{strain:g}", f"{found[0][1]:.3g}", f"{found[-1][1]:.3g}", f"{exponent:.4f}"])
+        rows.append([f"{strain:g}", f"{peaks[0][1]:.3g}", f"{peaks[-1][1]:.3g}", f"{exponent:.4f}"])
         if strain == SMALL_STRAIN:
             reason = "root of Williams' equation for clamped and free edges, plane stress"
             name = f"exponent of the corner's singularity, strain {strain:g}"

@@ -80,8 +80,8 @@ def solve(law: Law, mode: str, stretch: float) -> Stretched:
     shake[2] *= 1e-3
     start[free] += _SHAKE * _value_scale(space, shake)[free]
     problem = LoadedSheet(space, Section(law, THICKNESS), free, start)
-    found = problem.solve()
-    forces = problem.reactions(found[free])
+    position = problem.solve()
+    forces = problem.reactions(position[free])
     line = nodes(space)
     line[VALUE, -1] = 1.0
     end = space.field_from_nodes(line) == 1.0
@@ -91,8 +91,8 @@ def solve(law: Law, mode: str, stretch: float) -> Stretched:
     return Stretched(
         2.0 * float(forces[0, end].sum()) / THICKNESS,
         float(forces[1, edge].sum()) / (0.5 * ASPECT * THICKNESS),
-        float(2.0 * found[1, edge].mean()),
-        float(np.abs(space.nodes_from_field(found - expected)[:, VALUE]).max()),
+        float(2.0 * position[1, edge].mean()),
+        float(np.abs(space.nodes_from_field(position - expected)[:, VALUE]).max()),
     )
 
 

@@ -139,7 +139,7 @@ def of_figure(content):
 def study_digest():
     """Digest of all that the results follow from: config, code, measured data."""
     codes = [code(stage) for stage in STAGES]
-    codes += [code_of_claims(), *(code_of_figure(one.name) for one in STUDY.figures_to_make)]
+    codes += [code_of_claims(), *(code_of_figure(figure.name) for figure in STUDY.figures_to_make)]
     files = {material.data for material in STUDY.materials.values()}
     files |= {
         path for figure in STUDY.figures_to_make for path in figure_contents.measured(STUDY, figure)

@@ -18,31 +18,31 @@ from wrinklestudy.typing import Array
 
 def respond(section: Section, derivatives: Array) -> tuple[SurfaceGeometry, SectionDerivatives]:
     """Return geometry, force, moment and their slopes from x,1 x,2 x,11 x,22 x,12 at points."""
-    shape = section.surface(derivatives)
-    return shape, section.derivatives(shape.metric, shape.curvature)
+    surface = section.surface(derivatives)
+    return surface, section.derivatives(surface.metric, surface.curvature)
 
 
 def energy(section: Section, derivatives: Array) -> Array:
     """Return the energy density at points from x,1 x,2 x,11 x,22 x,12 of shape (5, 3, ...)."""
-    shape = section.surface(derivatives)
-    return section.energy(shape.metric, shape.curvature)
+    surface = section.surface(derivatives)
+    return section.energy(surface.metric, surface.curvature)
 
 
-def _metric_variation(shape: SurfaceGeometry) -> list[tuple[tuple[int, Array], ...]]:
+def _metric_variation(surface: SurfaceGeometry) -> list[tuple[tuple[int, Array], ...]]:
     """Return da as (direction, vector) terms for a11, a22, a12."""
-    p, q = shape.tangents
+    p, q = surface.tangents
     return [((0, 2.0 * p),), ((1, 2.0 * q),), ((0, q), (1, p))]
 
 
-def gradient(shape: SurfaceGeometry, section: SectionDerivatives) -> Array:
+def gradient(surface: SurfaceGeometry, section: SectionDerivatives) -> Array:
     """Return the derivative of the energy density, (5, 3, ...).
 
     da11 = 2 x,1.dx,1 and so on; db_k = n.(dx,k - Gamma^c_k dx,c), k = 11, 22, 12.
     """
-    force, moment, normal = section.force, section.moment, shape.normal
+    force, moment, normal = section.force, section.moment, surface.normal
     result = np.empty((5, *normal.shape))
-    p, q = shape.tangents
-    pull = np.einsum("k...,ck...->c...", moment, shape.christoffel)
+    p, q = surface.tangents
+    pull = np.einsum("k...,ck...->c...", moment, surface.christoffel)
     result[0] = 2.0 * force[0] * p + force[2] * q - pull[0] * normal
     result[1] = 2.0 * force[1] * q + force[2] * p - pull[1] * normal
     for k in range(3):
@@ -51,24 +51,24 @@ def gradient(shape: SurfaceGeometry, section: SectionDerivatives) -> Array:
 
 
 def predict(
-    shape: SurfaceGeometry, section: SectionDerivatives, step: Array
+    surface: SurfaceGeometry, section: SectionDerivatives, step: Array
 ) -> tuple[Array, Array]:
     """Return force and moment, (3, ...) each, after a step, to first order in it.
 
     Parameters
     ----------
-    shape : SurfaceGeometry
+    surface : SurfaceGeometry
         Geometry before the step.
     section : SectionDerivatives
         Section before the step.
     step : (5, 3, ...) array
         Change of x,1 x,2 x,11 x,22 x,12.
     """
-    (p, q), along = shape.tangents, [dot(shape.normal, change) for change in step]
+    (p, q), along = surface.tangents, [dot(surface.normal, change) for change in step]
     metric = np.stack(
         [2.0 * dot(p, step[0]), 2.0 * dot(q, step[1]), dot(q, step[0]) + dot(p, step[1])]
     )
-    turned = shape.christoffel[0] * along[0] + shape.christoffel[1] * along[1]
+    turned = surface.christoffel[0] * along[0] + surface.christoffel[1] * along[1]
     curvature = np.stack(along[2:]) - turned
     force = np.einsum("km...,m...->k...", section.stretching, metric)
     force += np.einsum("km...,m...->k...", section.coupling, curvature)
@@ -86,11 +86,11 @@ class _Parts(NamedTuple):
     turn: Array  # turn[d, c, i] n_j + n_i turn[c, d, j] in the entry (x,c)_i (x,d)_j
 
 
-def _parts(shape: SurfaceGeometry, section: SectionDerivatives) -> _Parts:
-    normal, gamma = shape.normal, shape.christoffel
-    terms = _metric_variation(shape)
-    membrane = np.zeros((3, *shape.tangents.shape))
-    coupled = np.zeros((3, *shape.tangents.shape))
+def _parts(surface: SurfaceGeometry, section: SectionDerivatives) -> _Parts:
+    normal, gamma = surface.normal, surface.christoffel
+    terms = _metric_variation(surface)
+    membrane = np.zeros((3, *surface.tangents.shape))
+    coupled = np.zeros((3, *surface.tangents.shape))
     for k in range(3):
         for m, parts in enumerate(terms):
             for direction, vector in parts:
@@ -98,13 +98,13 @@ def _parts(shape: SurfaceGeometry, section: SectionDerivatives) -> _Parts:
                 coupled[k, direction] += section.coupling[m, k] * vector
     pull = np.einsum("k...,ck...->c...", section.moment, gamma)
     inner = np.einsum("km...,cm...->ck...", section.bending, gamma)
-    work = dot(section.moment, shape.curvature)
+    work = dot(section.moment, surface.curvature)
     turn = np.empty((2, 2, *normal.shape))
     for d in range(2):
         for c in range(2):
-            inverse = shape.inverse[c if c == d else 2]
+            inverse = surface.inverse[c if c == d else 2]
             along = 0.5 * (dot(gamma[c], inner[d]) - work * inverse)
-            turn[d, c] = pull[c] * shape.dual[d] + along * normal
+            turn[d, c] = pull[c] * surface.dual[d] + along * normal
             for k in range(3):
                 turn[d, c] -= gamma[d, k] * coupled[k, c]
     twist = coupled
@@ -114,7 +114,7 @@ def _parts(shape: SurfaceGeometry, section: SectionDerivatives) -> _Parts:
     return _Parts(terms, membrane, twist, turn)
 
 
-def hessian(shape: SurfaceGeometry, section: SectionDerivatives) -> list[Array]:
+def hessian(surface: SurfaceGeometry, section: SectionDerivatives) -> list[Array]:
     """Return the second derivatives of the energy density for `Assembler.tangent`.
 
     The second variations are d2a11 = 2 |dx,1|^2 (and so on) and
@@ -126,20 +126,20 @@ def hessian(shape: SurfaceGeometry, section: SectionDerivatives) -> list[Array]:
         Pairs of components (0,0) (0,1) (0,2) (1,1) (1,2) (2,2); 15 rows (a <= b) for equal
         components, 25 rows for unequal ones.
     """
-    parts = _parts(shape, section)
+    parts = _parts(surface, section)
     blocks = []
     for i in range(3):
         for j in range(i, 3):
             entries = [(a, b) for a in range(5) for b in range(a if i == j else 0, 5)]
-            block = np.empty((len(entries), *shape.normal.shape[1:]))
+            block = np.empty((len(entries), *surface.normal.shape[1:]))
             for row, (a, b) in enumerate(entries):
-                _entry(shape, section, parts, (a, i), (b, j), block[row])
+                _entry(surface, section, parts, (a, i), (b, j), block[row])
             blocks.append(block)
     return blocks
 
 
 def _entry(
-    shape: SurfaceGeometry,
+    surface: SurfaceGeometry,
     section: SectionDerivatives,
     parts: _Parts,
     first: tuple[int, int],
@@ -148,15 +148,15 @@ def _entry(
 ) -> None:
     """Write the second derivative with respect to (derivative, component) pairs."""
     (a, i), (b, j) = first, second
-    normal = shape.normal
+    normal = surface.normal
     if a >= 2 and b >= 2:
         np.multiply(normal[i], normal[j], out=out)
         out *= section.bending[a - 2, b - 2]
     elif a >= 2:
         np.multiply(normal[i], parts.twist[a - 2, b, j], out=out)
-        out -= section.moment[a - 2] * shape.dual[b, i] * normal[j]
+        out -= section.moment[a - 2] * surface.dual[b, i] * normal[j]
     elif b >= 2:
-        _entry(shape, section, parts, second, first, out)
+        _entry(surface, section, parts, second, first, out)
     else:
         np.multiply(parts.turn[b, a, i], normal[j], out=out)
         out += normal[i] * parts.turn[a, b, j]
@@ -190,18 +190,18 @@ def deflection(law: Law, bending: str, derivatives: Array) -> tuple[Array, Array
         Rows (a <= b) as in `Assembler.entries`.
     """
     section = Section(law, 1.0, bending)
-    shape = section.surface(derivatives)
-    flat = section.derivatives(shape.metric, np.zeros_like(shape.metric))
+    surface = section.surface(derivatives)
+    flat = section.derivatives(surface.metric, np.zeros_like(surface.metric))
     entries = [(a, b) for a in range(5) for b in range(a, 5)]
-    stress = np.zeros((15, *shape.metric.shape[1:]))
-    force = section.law.derivatives(shape.metric)[0]
+    stress = np.zeros((15, *surface.metric.shape[1:]))
+    force = section.law.derivatives(surface.metric)[0]
     stress[entries.index((0, 0))] = 2.0 * force[0]
     stress[entries.index((1, 1))] = 2.0 * force[1]
     stress[entries.index((0, 1))] = force[2]
     # Rows of the curvature variation on (w,1 w,2 w,11 w,22 w,12)
-    rows = np.zeros((3, 5, *shape.metric.shape[1:]))
+    rows = np.zeros((3, 5, *surface.metric.shape[1:]))
     for k in range(3):
         rows[k, 2 + k] = 1.0
-        rows[k, 0], rows[k, 1] = -shape.christoffel[0, k], -shape.christoffel[1, k]
+        rows[k, 0], rows[k, 1] = -surface.christoffel[0, k], -surface.christoffel[1, k]
     full = np.einsum("ka...,km...,mb...->ab...", rows, flat.bending, rows, optimize=True)
     return stress, np.stack([full[a, b] for a, b in entries])

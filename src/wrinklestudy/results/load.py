@@ -7,7 +7,14 @@ from typing import Any
 
 from wrinklestudy.files.storage import read_json
 from wrinklestudy.results.peaks import sheet_row
-from wrinklestudy.results.rows import Limits, SheetIdentity, StateRow, columns, key_text, make_row
+from wrinklestudy.results.rows import (
+    SheetIdentity,
+    StabilityRow,
+    StateRow,
+    columns,
+    key_text,
+    make_row,
+)
 from wrinklestudy.results.sheets import SheetStates
 from wrinklestudy.results.tables import read_sheets, read_states
 from wrinklestudy.typing import AnyPath
@@ -63,7 +70,7 @@ def load_sheets(metrics: Sequence[AnyPath], stability: Sequence[AnyPath]) -> lis
     ]
 
 
-def read_limits(path: AnyPath) -> Limits:
+def read_limits(path: AnyPath) -> StabilityRow:
     """Return where a sheet is unstable from its file of the stability stage.
 
     Raises
@@ -73,7 +80,7 @@ def read_limits(path: AnyPath) -> Limits:
     """
     content = read_json(path)
     values = content if isinstance(content, dict) else {}
-    return make_row(Limits, values, fspath(path), "stability file")
+    return make_row(StabilityRow, values, fspath(path), "stability file")
 
 
 def by_sheet(states: Iterable[StateRow]) -> dict[tuple[Any, ...], tuple[StateRow, ...]]:
@@ -84,6 +91,6 @@ def by_sheet(states: Iterable[StateRow]) -> dict[tuple[Any, ...], tuple[StateRow
     return {key: tuple(sorted(rows, key=lambda row: row.strain)) for key, rows in grouped.items()}
 
 
-def _unknown_limits(sheet: SheetIdentity) -> Limits:
+def _unknown_limits(sheet: SheetIdentity) -> StabilityRow:
     identity = {name: getattr(sheet, name) for name in columns(SheetIdentity)}
-    return make_row(Limits, dict.fromkeys(columns(Limits)) | identity, "sheet", "row")
+    return make_row(StabilityRow, dict.fromkeys(columns(StabilityRow)) | identity, "sheet", "row")

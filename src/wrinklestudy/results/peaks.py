@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 
 from wrinklestudy.metrics.peak import peak
-from wrinklestudy.results.rows import Limits, SheetRow, StateRow, make_row, numbers_of
+from wrinklestudy.results.rows import SheetRow, StabilityRow, StateRow, make_row, numbers_of
 from wrinklestudy.typing import Array
 
 _NAN = math.nan
 
 
-def sheet_row(limits: Limits, states: Sequence[StateRow]) -> SheetRow:
+def sheet_row(limits: StabilityRow, states: Sequence[StateRow]) -> SheetRow:
     """Return the row of a sheet.
 
     (A/t)^2 and Phi^2 are smooth functions of the strain that vanish at birth and decay: the maxima
@@ -24,7 +24,7 @@ def sheet_row(limits: Limits, states: Sequence[StateRow]) -> SheetRow:
 
     Parameters
     ----------
-    limits : Limits
+    limits : StabilityRow
         Where the sheet is unstable.
     states : sequence of StateRow
         The states of the sheet by strain, at least one.

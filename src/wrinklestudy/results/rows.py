@@ -159,7 +159,7 @@ class StateRow(SheetIdentity):
 
 
 @dataclass(frozen=True)
-class Limits(SheetIdentity):
+class StabilityRow(SheetIdentity):
     """Where the flat sheet is unstable: the part of a sheet's row that needs no states."""
 
     birth_strain: float | None = _column(
@@ -173,7 +173,7 @@ class Limits(SheetIdentity):
 
 
 @dataclass(frozen=True)
-class SheetRow(Limits):
+class SheetRow(StabilityRow):
     """A sheet: where it is unstable and what its states reach over strain."""
 
     max_amplitude_over_thickness: float | None = _column(

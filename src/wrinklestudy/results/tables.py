@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Any
 from wrinklestudy.files.storage import atomic_path
 from wrinklestudy.results.rows import (
     Column,
-    Limits,
     SheetIdentity,
     SheetRow,
+    StabilityRow,
     StateRow,
     allowed_text,
     checked,
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
 STATE_COLUMNS = columns(StateRow)
-STABILITY_COLUMNS = columns(Limits)
+STABILITY_COLUMNS = columns(StabilityRow)
 PEAK_COLUMNS: Mapping[str, Column] = {
     name: column
     for name, column in columns(SheetRow).items()
@@ -44,7 +44,7 @@ def write_states(rows: Sequence[StateRow], output: AnyPath) -> None:
     _write(rows, STATE_COLUMNS, output)
 
 
-def write_stability(rows: Sequence[Limits], output: AnyPath) -> None:
+def write_stability(rows: Sequence[StabilityRow], output: AnyPath) -> None:
     """Write where sheets are unstable as a table, sorted by sheet."""
     _write(rows, STABILITY_COLUMNS, output)
 
@@ -74,7 +74,7 @@ def read_sheets(stability: AnyPath, peaks: AnyPath) -> list[SheetRow]:
     ValueError
         As `read_states`, or if a sheet stands in one of the tables only.
     """
-    unstable = [Limits(**cells) for cells in _read(stability, STABILITY_COLUMNS)]
+    unstable = [StabilityRow(**cells) for cells in _read(stability, STABILITY_COLUMNS)]
     limits = {row.key: row for row in unstable}
     rows = []
     for cells in _read(peaks, PEAK_COLUMNS):

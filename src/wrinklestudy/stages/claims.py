@@ -51,7 +51,7 @@ def run(
 
     catalogue = load_catalogue(study)
     computed = load(states, stability, peaks, materials, sheet)
-    judged = [(claim, claim.found(computed)) for claim in load_claims(study)]
+    judged = [(claim, claim.finding(computed)) for claim in load_claims(study)]
     extra = [import_module(entry.module).table(computed) for entry in catalogue.tables]
     text = html_page(catalogue, computed, judged, extra)
     write.claims(output["csv"], judged)

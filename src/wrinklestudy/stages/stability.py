@@ -44,7 +44,7 @@ def run(
     known = [(a["strain"], a["critical_thickness"]) for a in attributes if not a["reason"]]
     grid, loaded, options = read_grid(mesh), load_material(material), PlanarSettings(**settings)
     with log_cpu("solve"):
-        found = find(critical_curve(grid, loaded, options), thickness, known)
+        limits = find(critical_curve(grid, loaded, options), thickness, known)
     description = {
         "material": name or Path(material).stem,
         **laws.describe(loaded),
@@ -52,4 +52,4 @@ def run(
         "parity": options.parity,
         "aspect": grid.aspect,
     }
-    write_json(output, description | vars(found))
+    write_json(output, description | vars(limits))

@@ -8,13 +8,10 @@ the modules that draw and judge; they are imported in the jobs that need them an
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 from wrinklestudy.results.cases import NAME_PATTERN
-from wrinklestudy.study.selections import Sheets, no_sheets
-
-if TYPE_CHECKING:
-    from wrinklestudy.study.config import StudyConfig
+from wrinklestudy.study.selections import Sheets, SheetsOfConfig, no_sheets
 
 # Kinds of measured data: `study.measurements`.
 MEASURED_KINDS = ("stress", "amplitude", "wavelength", "profiles")
@@ -59,7 +56,7 @@ class FigureEntry:
     module: str
     panel: str = ""
     part: str = "Figures"
-    sheets: "Callable[[StudyConfig], Sheets]" = no_sheets
+    sheets: Callable[[SheetsOfConfig], Sheets] = no_sheets
     strains: tuple[float, ...] | Literal["all"] = ()
     measured: tuple[str, ...] = ()
     materials: bool = False
@@ -93,7 +90,9 @@ class FigureEntry:
         tensile = [strain for strain in self.strains if strain > 0.0]
         if not available:
             return []
-        nearest = (min(available, key=lambda one: (abs(one - want), one)) for want in tensile)
+        nearest = (
+            min(available, key=lambda strain: (abs(strain - want), strain)) for want in tensile
+        )
         return sorted(set(nearest))
 
 

@@ -53,16 +53,16 @@ def modules(
     package counts where something is imported from it, not for every module that lies in it.
     A module that is imported by a computed name is not seen: name it in ``also``.
     """
-    found: dict[str, Path] = {}
+    files: dict[str, Path] = {}
     todo = [*also, *_imports(Path(script), "", sources)]
     while todo:
         name = todo.pop()
         path = module_file(name, sources)
-        if path is not None and name not in found:
-            found[name] = path
+        if path is not None and name not in files:
+            files[name] = path
             package = name if path.name == "__init__.py" else name.rpartition(".")[0]
             todo += _imports(path, package, sources)
-    return found
+    return files
 
 
 def module_file(name: str, sources: Sequence[Path]) -> Path | None:

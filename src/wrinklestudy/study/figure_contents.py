@@ -49,7 +49,10 @@ def caption_text(_study: StudyConfig, figure: FigureEntry) -> str:
 def cases_text(study: StudyConfig, figure: FigureEntry) -> str:
     """Return the cases or materials that a figure shows, for its caption."""
     if figure.materials:
-        fits = (f"{name} ({one.law}, {one.data})" for name, one in study.materials.items())
+        fits = (
+            f"{name} ({material.law}, {material.data})"
+            for name, material in study.materials.items()
+        )
         return ", ".join(fits)
     states = states_shown(study, figure)
     shown = {study.figure_sheet: states} if states else {}

@@ -62,8 +62,8 @@ def load_catalogue(study: str) -> Catalogue:
             f"study = {study!r}: {shown} must define CATALOGUE, a wrinklestudy.study.catalogue."
             "Catalogue"
         )
-    named = [(f"figure {one.name!r}", one.module) for one in catalogue.figures]
-    named += [(f"table {one.name!r}", one.module) for one in catalogue.tables]
+    named = [(f"figure {entry.name!r}", entry.module) for entry in catalogue.figures]
+    named += [(f"table {entry.name!r}", entry.module) for entry in catalogue.tables]
     named += [("claims", catalogue.claims)] if catalogue.claims else []
     for what, module in named:
         if module_file(module, (place.source,)) is None:

@@ -1,31 +1,44 @@
 """Which sheets of a config a figure is drawn from: the choices that any study can make."""
 
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from wrinklestudy.results.cases import StudySheet
-
-if TYPE_CHECKING:
-    from wrinklestudy.study.config import StudyConfig
 
 Sheets = tuple[StudySheet, ...]
 
 
-def no_sheets(_config: "StudyConfig") -> Sheets:
+class SheetsOfConfig(Protocol):
+    """What a selection sees of a config, so that a catalogue need not know the whole of it."""
+
+    @property
+    def all_sheets(self) -> Sheets:
+        """All sheets of the study."""
+
+    @property
+    def figure_sheet(self) -> StudySheet:
+        """The sheet that the figures of a single sheet show."""
+
+    @property
+    def compared_sheets(self) -> Sheets:
+        """The sheet of `figures.sheet` in each of the models that figures compare."""
+
+
+def no_sheets(_config: SheetsOfConfig) -> Sheets:
     """Return none: the figure is drawn from states or materials."""
     return ()
 
 
-def figure_sheet(config: "StudyConfig") -> Sheets:
+def figure_sheet(config: SheetsOfConfig) -> Sheets:
     """Return the sheet of `figures.sheet` alone."""
     return (config.figure_sheet,)
 
 
-def compared_models(config: "StudyConfig") -> Sheets:
+def compared_models(config: SheetsOfConfig) -> Sheets:
     """Return the sheet of `figures.sheet` in each of the models of `figures.compare`."""
     return config.compared_sheets
 
 
-def same_thickness(config: "StudyConfig") -> Sheets:
+def same_thickness(config: SheetsOfConfig) -> Sheets:
     """Return the sheets that differ from `figures.sheet` in L/W at most."""
     own = config.figure_sheet
     return tuple(
@@ -35,7 +48,7 @@ def same_thickness(config: "StudyConfig") -> Sheets:
     )
 
 
-def same_aspect(config: "StudyConfig") -> Sheets:
+def same_aspect(config: SheetsOfConfig) -> Sheets:
     """Return the sheets that differ from `figures.sheet` in t/W at most."""
     own = config.figure_sheet
     return tuple(

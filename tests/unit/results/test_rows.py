@@ -12,7 +12,7 @@ from wrinklestudy.fem.grid import MeshSettings
 from wrinklestudy.mechanics.laws import mooney_rivlin
 from wrinklestudy.results import dictionary
 from wrinklestudy.results.fields import read_wrinkle, write_wrinkle
-from wrinklestudy.results.rows import Limits, SheetRow, StateRow, columns, refuse_twins
+from wrinklestudy.results.rows import SheetRow, StabilityRow, StateRow, columns, refuse_twins
 from wrinklestudy.sheet import Sheet
 
 DOCS = Path(__file__).parents[3] / "docs"
@@ -83,7 +83,7 @@ def test_the_data_dictionary_is_that_of_the_rows():
     )
 
 
-@pytest.mark.parametrize("kind", [StateRow, Limits, SheetRow])
+@pytest.mark.parametrize("kind", [StateRow, StabilityRow, SheetRow])
 def test_every_column_is_described_and_has_its_unit(kind):
     for name, column in columns(kind).items():
         assert column.description

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from made_up_rows import limits_row, state_row
 
 from wrinklestudy.results.peaks import sheet_row
-from wrinklestudy.results.rows import Limits, SheetRow, StateRow, columns, make_row
+from wrinklestudy.results.rows import SheetRow, StabilityRow, StateRow, columns, make_row
 from wrinklestudy.results.tables import (
     read_sheets,
     read_states,
@@ -194,10 +194,10 @@ def test_a_sheet_in_one_of_the_two_tables_only_is_named(tmp_path):
 
 def test_a_row_that_lacks_a_value_is_refused():
     values = vars(limits_row())
-    assert make_row(Limits, values | {"more": 1}, "a.json", "stability file") == limits_row()
+    assert make_row(StabilityRow, values | {"more": 1}, "a.json", "stability file") == limits_row()
     del values["decay_strain"]
     with pytest.raises(ValueError, match=r"^a.json: 'decay_strain' is missing, not a stability f"):
-        make_row(Limits, values, "a.json", "stability file")
+        make_row(StabilityRow, values, "a.json", "stability file")
 
 
 @pytest.mark.parametrize("wrong", ["0.1", True, [0.1]])

@@ -184,13 +184,13 @@ BY_KEY = {claim.key: claim for claim in CLAIMS}
 
 @pytest.mark.parametrize(("key", "verdict"), AS_THE_PAPER.items())
 def test_a_study_as_the_paper_has_it_agrees(key, verdict):
-    finding = BY_KEY[key].found(world())
+    finding = BY_KEY[key].finding(world())
     assert finding.verdict == verdict, finding
 
 
 @pytest.mark.parametrize(("key", "study", "verdict"), CASES)
 def test_other_physics_gives_another_verdict(key, study, verdict):
-    finding = BY_KEY[key].found(study)
+    finding = BY_KEY[key].finding(study)
     assert finding.verdict == verdict, finding
     assert finding.explanation
     assert not re.search(r"\b(nan|inf)\b", finding.explanation)
@@ -204,7 +204,7 @@ def test_every_claim_can_come_out_either_way(key):
 
 @pytest.mark.parametrize("key", BY_KEY)
 def test_without_the_sheet_of_the_text_a_claim_is_not_computed_and_says_so(key):
-    finding = BY_KEY[key].found(world(base=None))
+    finding = BY_KEY[key].finding(world(base=None))
     assert finding.verdict == "not computed"
     assert "sheet latex, L/W = 2, t/W = 0.001" in finding.explanation
 
@@ -245,4 +245,4 @@ def test_holes_anywhere_never_stop_a_claim(holes):
         ]
         sheets.append(replace(one, states=tuple(states)))
     for claim in CLAIMS:
-        assert claim.found(replace(study, sheets=tuple(sheets))).verdict
+        assert claim.finding(replace(study, sheets=tuple(sheets))).verdict

@@ -20,15 +20,15 @@ def test_a_model_of_other_rubber_is_left_alone():
         material("treloar", constants={"c10": 1e5, "c01": 1e5}, source="treloar.csv"),
     )
     study = replace(world(materials), sheets=(other, twin, *world().sheets))
-    assert 2.2 not in study.by("aspect")
-    assert study.one(law="neo-hookean").material == "nh"
+    assert 2.2 not in study.sheets_by("aspect")
+    assert study.sheet_with(law="neo-hookean").material == "nh"
 
 
 def test_a_variant_belongs_to_its_material_by_law_and_modulus():
     study = world()
-    assert set(study.by("bending")) == {"thinning", "fixed-thickness", "fvk"}
+    assert set(study.sheets_by("bending")) == {"thinning", "fixed-thickness", "fvk"}
     softer = world(fixed={"modulus": 1.001e6})
-    assert set(softer.by("bending")) == {"thinning", "fvk"}
+    assert set(softer.sheets_by("bending")) == {"thinning", "fvk"}
 
 
 def test_a_verdict_that_depends_names_what_on_and_a_disagreement_is_explained():

@@ -194,7 +194,7 @@ class Law(ABC):
         The energy of a linear law is the sum of theirs, each times its constant.
         """
         names = [constant.name for constant in cls.constants]
-        return [cls(**{name: float(name == one) for name in names}) for one in names]
+        return [cls(**{name: float(name == constant) for name in names}) for constant in names]
 
 
 @dataclass(frozen=True)
@@ -259,7 +259,7 @@ def describe(material: Material) -> dict[str, str | float]:
     kinds = [kind for kind in LAWS.values() if kind.covers(law)]
     if not kinds:
         raise TypeError(f"{type(law).__name__} has no description: not one of {', '.join(LAWS)}")
-    kind = min(kinds, key=lambda one: len(one.constants))
+    kind = min(kinds, key=lambda law: len(law.constants))
     values = law.physical(material.shear_modulus)
     return {"law": kind.name, **{c.column: values[c.name] for c in kind.constants}}
 

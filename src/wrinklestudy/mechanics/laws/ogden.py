@@ -65,12 +65,12 @@ class Ogden(IncompressibleLaw):
     # mu_p alpha_p / 2 is the part of a term in the initial shear modulus.
     starts = tuple(
         {
-            "mu1": 2.0 * (1.0 - part) / first,
+            "mu1": 2.0 * (1.0 - share) / first,
             "alpha1": first,
-            "mu2": 2.0 * part / second,
+            "mu2": 2.0 * share / second,
             "alpha2": second,
         }
-        for first, second, part in (
+        for first, second, share in (
             (2.0, -2.0, 0.1),
             (5.0, 1.3, 0.9),
             (8.0, 1.3, 0.99),

@@ -119,7 +119,7 @@ class Claim:
     tolerance: str
     judge: Callable[[StudyTables], Finding]
 
-    def found(self, study: StudyTables) -> Finding:
+    def finding(self, study: StudyTables) -> Finding:
         """Return what a study says; 'not computed' with the reason where it lacks something."""
         try:
             return self.judge(study)

@@ -20,14 +20,6 @@ _CLASSES: dict[Verdict, str] = {
     "not computed": "missing",
 }
 
-_TITLE = (
-    "Claims of “Birth and decay of tensional wrinkles in hyperelastic sheets” against the computed "
-    "study"
-)
-_PAPER = (
-    "A. Panaitescu, M. Xin, B. Davidovitch, J. Chopin, A. Kudrolli, Phys. Rev. E 100, 053003 "
-    "(2019)."
-)
 _FOOTNOTE = (
     "Tolerances are stated with each claim and stand beside its rule in the program; every verdict "
     "follows from the computed numbers by that rule. “Depends on”: the verdict is another one for "
@@ -63,7 +55,7 @@ class PageTable:
 def html_page(
     catalogue: Catalogue,
     study: StudyTables,
-    found: Sequence[tuple[Claim, Finding]],
+    judged: Sequence[tuple[Claim, Finding]],
     tables: Sequence[ExtraTable],
 ) -> str:
     """Return the page.
@@ -73,12 +65,12 @@ def html_page(
     catalogue : Catalogue
         What the page is about.
     study : StudyTables
-    found : sequence of (Claim, Finding)
+    judged : sequence of (Claim, Finding)
         In the order of the publication.
     tables : sequence of ExtraTable
         Those of the catalogue, in its order.
     """
-    number = Counter(finding.verdict for _, finding in found)
+    number = Counter(finding.verdict for _, finding in judged)
     name, aspect, thickness = study.wanted
     return render(
         "claims.html.j2",
@@ -87,7 +79,7 @@ def html_page(
         f"t/W = {thickness:g}.".lstrip(),
         counts={verdict: number[verdict] for verdict in VERDICTS},
         classes=_CLASSES,
-        claims=[_entry(k, claim, finding) for k, (claim, finding) in enumerate(found, 1)],
+        claims=[_entry(k, claim, finding) for k, (claim, finding) in enumerate(judged, 1)],
         tables=[
             *(
                 PageTable(entry.title, table.head, table.cells, table.note)

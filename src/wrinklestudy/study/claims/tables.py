@@ -79,10 +79,10 @@ class StudyTables:
         MissingError
             If its file is not there.
         """
-        found = self._material_of(self.sheet)
-        if found is None:
+        material = self._material_of(self.sheet)
+        if material is None:
             raise MissingError(f"material file of {self.wanted[0]}")
-        return found
+        return material
 
     def select(self, *varied: str, **fixed: str | float) -> list[SheetStates]:
         """Return the sheets that differ from the paper's sheet in nothing but what is named.
@@ -102,16 +102,18 @@ class StudyTables:
         """
         base = self.sheet
         wanted = {name: getattr(base, name) for name in _ATTRIBUTES if name not in varied} | fixed
-        found: dict[tuple[Any, ...], SheetStates] = {}
+        chosen: dict[tuple[Any, ...], SheetStates] = {}
         for sheet in sorted(
-            self.sheets, key=lambda one: (one.material != base.material, one.material)
+            self.sheets, key=lambda sheet: (sheet.material != base.material, sheet.material)
         ):
             matches = all(getattr(sheet, name) == value for name, value in wanted.items())
             if matches and self._related(sheet, base):
-                found.setdefault(tuple(getattr(sheet, name) for name in _ATTRIBUTES), sheet)
-        return sorted(found.values(), key=lambda one: tuple(getattr(one, n) for n in varied))
+                chosen.setdefault(tuple(getattr(sheet, name) for name in _ATTRIBUTES), sheet)
+        return sorted(
+            chosen.values(), key=lambda sheet: tuple(getattr(sheet, name) for name in varied)
+        )
 
-    def one(self, **fixed: str | float) -> SheetStates:
+    def sheet_with(self, **fixed: str | float) -> SheetStates:
         """Return the one sheet that differs from the paper's sheet in the attributes given.
 
         Raises
@@ -119,13 +121,13 @@ class StudyTables:
         MissingError
             If the study lacks it.
         """
-        found = self.select(**fixed)
-        if not found:
+        sheets = self.select(**fixed)
+        if not sheets:
             which = ", ".join(_attribute_text(name, value) for name, value in fixed.items())
             raise MissingError(f"a sheet like {self.sheet.label} but {which}")
-        return found[0]
+        return sheets[0]
 
-    def by(self, name: str, **fixed: str | float) -> dict[Any, SheetStates]:
+    def sheets_by(self, name: str, **fixed: str | float) -> dict[Any, SheetStates]:
         """Return the sheets that differ from the paper's sheet in one attribute, by its value."""
         return {getattr(sheet, name): sheet for sheet in self.select(name, **fixed)}
 

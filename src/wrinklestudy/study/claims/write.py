@@ -27,9 +27,9 @@ CLAIM_COLUMNS: dict[str, str] = {
 }
 
 
-def claims(output: AnyPath, found: Sequence[tuple[Claim, Finding]]) -> None:
+def claims(output: AnyPath, judged: Sequence[tuple[Claim, Finding]]) -> None:
     """Write the table of claims, one row each, columns `CLAIM_COLUMNS`."""
-    _table(output, CLAIM_COLUMNS, (_claim(k, *pair) for k, pair in enumerate(found, 1)))
+    _table(output, CLAIM_COLUMNS, (_claim(k, *pair) for k, pair in enumerate(judged, 1)))
 
 
 def _claim(number: int, claim: Claim, finding: Finding) -> list[Any]:

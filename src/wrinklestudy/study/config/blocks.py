@@ -24,8 +24,8 @@ from wrinklestudy.study.config.values import (
 )
 from wrinklestudy.vocabulary import CELLS, Limits, Parity
 
-Law = Annotated[str, OneOf(LAWS)]
-Bending = Annotated[str, OneOf(BENDING_LAWS)]
+LawName = Annotated[str, OneOf(LAWS)]
+BendingName = Annotated[str, OneOf(BENDING_LAWS)]
 DeformationMode = Annotated[str, OneOf(DEFORMATIONS)]
 Cells = Annotated[int, within(CELLS), Count]
 Few = Annotated[int, within(Limits(1, 50)), Count]
@@ -46,7 +46,7 @@ class MaterialBlock(Block):
     """Measured stress-strain data and the law that is fitted to it."""
 
     data: Place = Field(description="CSV file with stress against strain")
-    law: Law = Field(description="law to fit")
+    law: LawName = Field(description="law to fit")
     stretch: Window | None = Field(
         default=None, description="lowest and highest stretch to fit; all of the data if left out"
     )
@@ -59,7 +59,7 @@ class VariantBlock(Block):
     """A material with another model of the sheet than the block plate says."""
 
     material: Name = Field(description="one of the materials")
-    bending: Bending | None = Field(default=None, description="law of bending")
+    bending: BendingName | None = Field(default=None, description="law of bending")
     parity: Parity | None = Field(
         default=None, description="symmetry of the wrinkles across the sheet"
     )
@@ -119,7 +119,7 @@ class MeshBlock(Block):
 class PlateBlock(Block):
     """Model of the sheet."""
 
-    bending: Bending = Field(
+    bending: BendingName = Field(
         default="thinning",
         description="law of bending",
         json_schema_extra=of_stages("planar", "stability"),

@@ -99,7 +99,7 @@ class StudyConfig(Block):
     @cached_property
     def _cases_by_sheet(self) -> dict[StudySheet, tuple[Case, ...]]:
         groups = groupby(self.cases, key=attrgetter("sheet"))
-        return {sheet: tuple(found) for sheet, found in groups}
+        return {sheet: tuple(of_sheet) for sheet, of_sheet in groups}
 
     @property
     def all_sheets(self) -> tuple[StudySheet, ...]:

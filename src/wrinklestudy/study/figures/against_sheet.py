@@ -37,17 +37,17 @@ def draw(inputs: Inputs, varied: int, number: Callable[[float], float], symbol: 
     def place(sheet: SheetSize) -> float:
         return number(sheet[varied])
 
-    pairs = styled(sorted(inputs.series, key=lambda one: place(one.size)))
-    series = [one for one, _ in pairs]
+    pairs = styled(sorted(inputs.series, key=lambda sheet: place(sheet.size)))
+    series = [sheet for sheet, _ in pairs]
     figure = style.new(style.WIDE, 5.2)
     peaks, curves = figure.subplots(1, 2)
-    for one, look in pairs:
-        _maximum(peaks, one, look, place(one.size))
-        _curve(curves, one, look)
-    shared = {one.size[1 - varied] for one in series}
-    found = sorted(inputs.measured_amplitude().items())
-    row = {place(sheet): one for sheet, one in found if sheet[1 - varied] in shared}
-    maxima = [one.peak["max_amplitude_over_thickness"] for one in series]
+    for sheet, look in pairs:
+        _maximum(peaks, sheet, look, place(sheet.size))
+        _curve(curves, sheet, look)
+    shared = {sheet.size[1 - varied] for sheet in series}
+    amplitudes = sorted(inputs.measured_amplitude().items())
+    row = {place(size): points for size, points in amplitudes if size[1 - varied] in shared}
+    maxima = [sheet.peak["max_amplitude_over_thickness"] for sheet in series]
     largest = [*maxima, extremes(series, _COLUMN)[1], _measured(peaks, row)]
     highest = float(np.nanmax(largest)) or 1.0
     for axes in (peaks, curves):
@@ -62,10 +62,10 @@ def draw(inputs: Inputs, varied: int, number: Callable[[float], float], symbol: 
     return figure
 
 
-def _maximum(axes: Axes, one: SheetStates, look: Look, x: float) -> None:
+def _maximum(axes: Axes, sheet: SheetStates, look: Look, x: float) -> None:
     """Draw the maximum of a sheet; at 0 if it never wrinkles, as a hole if it is not known."""
-    highest = one.peak["max_amplitude_over_thickness"]
-    if one.never_wrinkles:
+    highest = sheet.peak["max_amplitude_over_thickness"]
+    if sheet.never_wrinkles:
         axes.plot([x], [0.0], "v", color=GREY, mfc="white", ms=5.0, mew=0.8, label="never wrinkles")
         axes.plot([], [], look.line, color=look.color, label=look.label)
     elif np.isfinite(highest):
@@ -83,18 +83,18 @@ def _maximum(axes: Axes, one: SheetStates, look: Look, x: float) -> None:
         axes.plot([], [], look.line, color=look.color, label=look.label)
 
 
-def _curve(axes: Axes, one: SheetStates, look: Look) -> None:
-    axes.plot(*one.curve(_COLUMN), look.line, color=look.color, lw=0.8)
-    wrinkled = one.of_status("wrinkled")
-    strain, amplitude = one.column("strain")[wrinkled], one.column(_COLUMN)[wrinkled]
+def _curve(axes: Axes, sheet: SheetStates, look: Look) -> None:
+    axes.plot(*sheet.curve(_COLUMN), look.line, color=look.color, lw=0.8)
+    wrinkled = sheet.of_status("wrinkled")
+    strain, amplitude = sheet.column("strain")[wrinkled], sheet.column(_COLUMN)[wrinkled]
     axes.plot(strain, amplitude, look.marker, color=look.color, ms=2.4)
-    holes(axes, one, look.color)
+    holes(axes, sheet, look.color)
 
 
-def _measured(axes: Axes, found: dict[float, Points]) -> float:
+def _measured(axes: Axes, by_sheet: dict[float, Points]) -> float:
     """Draw the largest measured amplitude of each sheet; return the highest end of a bar."""
-    if not found:
+    if not by_sheet:
         return 0.0
-    value, error = np.array([one.highest() for one in found.values()]).T
-    measured.bars(axes, np.array(list(found)), value, error)
+    value, error = np.array([points.highest() for points in by_sheet.values()]).T
+    measured.bars(axes, np.array(list(by_sheet)), value, error)
     return float(np.nanmax([value, value + error]))

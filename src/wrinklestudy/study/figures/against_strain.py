@@ -21,16 +21,18 @@ SHARED = ("flat", "not converged", "birth, decay")
 
 def styled(series: list[SheetStates]) -> list[tuple[SheetStates, Look]]:
     """Return the series, each with its look: by L/W or t/W if these vary, by law otherwise."""
-    sizes = {one.size for one in series}
-    found = style.ordered(len(series)) if len(sizes) > 1 else looks([one.law for one in series])
-    named = [replace(look, label=label) for look, label in zip(found, labels(series), strict=True)]
+    sizes = {sheet.size for sheet in series}
+    chosen = (
+        style.ordered(len(series)) if len(sizes) > 1 else looks([sheet.law for sheet in series])
+    )
+    named = [replace(look, label=label) for look, label in zip(chosen, labels(series), strict=True)]
     return list(zip(series, named, strict=True))
 
 
-def points(axes: Axes, one: SheetStates, look: Look, column: str, factor: float = 1.0) -> None:
+def points(axes: Axes, sheet: SheetStates, look: Look, column: str, factor: float = 1.0) -> None:
     """Draw a column over strain: wrinkled states filled, flat ones open, holes on the axis."""
-    strain, value = one.column("strain"), factor * one.column(column)
-    wrinkled, flat = one.of_status("wrinkled"), one.of_status("flat")
+    strain, value = sheet.column("strain"), factor * sheet.column(column)
+    wrinkled, flat = sheet.of_status("wrinkled"), sheet.of_status("flat")
     for which, face, label in ((wrinkled, look.color, look.label), (flat, "white", "flat")):
         shown = which & np.isfinite(value)
         if shown.any():
@@ -43,12 +45,12 @@ def points(axes: Axes, one: SheetStates, look: Look, column: str, factor: float 
                 mew=0.6,
                 label=label,
             )
-    holes(axes, one, look.color)
+    holes(axes, sheet, look.color)
 
 
-def holes(axes: Axes, one: SheetStates, color: str) -> None:
+def holes(axes: Axes, sheet: SheetStates, color: str) -> None:
     """Draw a cross just above the strain axis for every state that did not converge."""
-    strain = one.column("strain")[one.of_status("not-converged")]
+    strain = sheet.column("strain")[sheet.of_status("not-converged")]
     if len(strain):
         axes.plot(
             strain,
@@ -62,10 +64,16 @@ def holes(axes: Axes, one: SheetStates, color: str) -> None:
         )
 
 
-def overlay(axes: Axes, series: list[SheetStates], found: dict[SheetSize, Points]) -> float:
+def overlay(
+    axes: Axes, series: list[SheetStates], measured_points: dict[SheetSize, Points]
+) -> float:
     """Draw what was measured on the sheets of the figure; return the largest value, 0 if none."""
-    own = [found[size] for size in sorted({one.size for one in series}) if size in found]
-    return max((measured.band(axes, one) for one in own), default=0.0)
+    own = [
+        measured_points[size]
+        for size in sorted({sheet.size for sheet in series})
+        if size in measured_points
+    ]
+    return max((measured.band(axes, sheet) for sheet in own), default=0.0)
 
 
 def finish(figure: Figure, axes: Axes, series: list[SheetStates]) -> float:
@@ -90,12 +98,12 @@ def legend(figure: Figure, axes: Axes, series: list[SheetStates], columns: int =
 
 def largest_strain(series: list[SheetStates]) -> float:
     """Return the largest strain of all series, birth and decay included."""
-    strains = [[*one.column("strain"), one.birth, one.decay] for one in series]
+    strains = [[*sheet.column("strain"), sheet.birth, sheet.decay] for sheet in series]
     return float(np.nanmax(np.concatenate(strains)))
 
 
 def extremes(series: list[SheetStates], column: str) -> tuple[float, float]:
     """Return smallest and largest finite value of a column; 0 and 1 if there is none."""
-    values = np.concatenate([one.column(column) for one in series])
+    values = np.concatenate([sheet.column(column) for sheet in series])
     values = values[np.isfinite(values)]
     return (float(values.min()), float(values.max())) if len(values) else (0.0, 1.0)

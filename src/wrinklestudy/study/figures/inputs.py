@@ -109,10 +109,10 @@ class Inputs:
         ValueError
             If there is none, or they are not of one sheet.
         """
-        states = sorted((_load_state(path) for path in self.states), key=lambda one: one.strain)
+        states = sorted((_load_state(path) for path in self.states), key=lambda state: state.strain)
         if not states:
             raise ValueError("states: none given, this figure shows states")
-        if len({(one.aspect, one.thickness, one.law, one.parity) for one in states}) > 1:
+        if len({(state.aspect, state.thickness, state.law, state.parity) for state in states}) > 1:
             raise ValueError("states: must be of one sheet (L/W, t/W, law, parity)")
         return states
 
@@ -128,28 +128,28 @@ class Inputs:
     @cached_property
     def scans(self) -> list[Scan]:
         """The scanned profiles by sheet and strain."""
-        found = [measurements.read_scan(path) for path in self._measured("profiles")]
-        return sorted(found, key=lambda one: (one.sheet, one.strain))
+        scans = [measurements.read_scan(path) for path in self._measured("profiles")]
+        return sorted(scans, key=lambda scan: (scan.sheet, scan.strain))
 
     def scans_of(self, sheets: Sequence[SheetSize]) -> list[Scan]:
         """Return the scanned profiles of some sheets (L/W, t/W)."""
-        return [one for one in self.scans if one.sheet in sheets]
+        return [scan for scan in self.scans if scan.sheet in sheets]
 
     def measured_amplitude(self) -> dict[SheetSize, Points]:
         """Return measured A/t against strain by sheet: of the table and of the scans."""
-        found = self._measured_table("amplitude")
-        for one in self.scans:
-            amplitude, error = one.measures.amplitude, one.error
-            _add(found, one, amplitude / one.sheet[1], error / one.sheet[1])
-        return found
+        points_by_sheet = self._measured_table("amplitude")
+        for scan in self.scans:
+            amplitude, error = scan.measures.amplitude, scan.error
+            _add(points_by_sheet, scan, amplitude / scan.sheet[1], error / scan.sheet[1])
+        return points_by_sheet
 
     def measured_wavelength(self) -> dict[SheetSize, Points]:
         """Return measured lambda/W against strain by sheet: of the table and of the scans."""
-        found = self._measured_table("wavelength")
-        for one in self.scans:
-            if one.wrinkled:
-                _add(found, one, one.measures.wavelength, float("nan"))
-        return found
+        points_by_sheet = self._measured_table("wavelength")
+        for scan in self.scans:
+            if scan.wrinkled:
+                _add(points_by_sheet, scan, scan.measures.wavelength, float("nan"))
+        return points_by_sheet
 
     def _measured(self, kind: str) -> list[Path]:
         return sorted(path for path in self.experiment if measurements.kind(path) == kind)
@@ -159,9 +159,11 @@ class Inputs:
         return measurements.read_sheets(paths[0]) if paths else {}
 
 
-def _add(found: dict[SheetSize, Points], scan: Scan, value: float, error: float) -> None:
-    one = Points(np.array([scan.strain]), np.array([value]), np.array([error]))
-    found[scan.sheet] = found[scan.sheet].joined(one) if scan.sheet in found else one
+def _add(points_by_sheet: dict[SheetSize, Points], scan: Scan, value: float, error: float) -> None:
+    point = Points(np.array([scan.strain]), np.array([value]), np.array([error]))
+    points_by_sheet[scan.sheet] = (
+        points_by_sheet[scan.sheet].joined(point) if scan.sheet in points_by_sheet else point
+    )
 
 
 def _load_state(path: Path) -> StateFile:

@@ -43,8 +43,8 @@ def band(axes: Axes, points: Points, factor: float = 1.0) -> float:
     strain, value, error = points.strain, factor * points.value, factor * points.error
     bars(axes, strain, value, error)
     edges = np.unique(strain)
-    low = [np.min((value - error)[strain == one]) for one in edges]
-    high = [np.max((value + error)[strain == one]) for one in edges]
+    low = [np.min((value - error)[strain == edge]) for edge in edges]
+    high = [np.max((value + error)[strain == edge]) for edge in edges]
     axes.fill_between(edges, low, high, color=GREY, alpha=0.25, lw=0.0, zorder=0)
     return float(np.nanmax([value, value + error]))
 
@@ -56,9 +56,9 @@ def confinement(scans: Sequence[Scan]) -> Points | None:
     """
     if not scans:
         return None
-    value = np.array([one.measures.phi_squared for one in scans])
-    relative = np.array([one.relative_error for one in scans])
-    return Points(np.array([one.strain for one in scans]), value, 2.0 * relative * value)
+    value = np.array([scan.measures.phi_squared for scan in scans])
+    relative = np.array([scan.relative_error for scan in scans])
+    return Points(np.array([scan.strain for scan in scans]), value, 2.0 * relative * value)
 
 
 def slaving(axes: Axes, scans: Sequence[Scan]) -> tuple[float, float]:
@@ -66,19 +66,19 @@ def slaving(axes: Axes, scans: Sequence[Scan]) -> tuple[float, float]:
 
     Filled for Phi over the full width, open for the central wrinkle, as the computed states.
     """
-    shown = [one for one in scans if one.wrinkled]
+    shown = [scan for scan in scans if scan.wrinkled]
     if not shown:
         return 0.0, 0.0
-    thickness = np.array([one.sheet[1] for one in shown])
-    relative = np.array([one.relative_error for one in shown])
-    amplitude = np.array([one.measures.amplitude for one in shown]) / thickness
-    wavelength = np.array([one.measures.wavelength for one in shown]) / thickness
+    thickness = np.array([scan.sheet[1] for scan in shown])
+    relative = np.array([scan.relative_error for scan in shown])
+    amplitude = np.array([scan.measures.amplitude for scan in shown]) / thickness
+    wavelength = np.array([scan.measures.wavelength for scan in shown]) / thickness
     farthest = 0.0
     for face, label, name in (
         (BLACK, LABEL, "phi_squared"),
         ("white", None, "phi_squared_central"),
     ):
-        slaved = wavelength * np.sqrt([getattr(one.measures, name) for one in shown])
+        slaved = wavelength * np.sqrt([getattr(scan.measures, name) for scan in shown])
         bars(axes, slaved, amplitude, relative * amplitude, relative * slaved, label, face)
         farthest = float(np.nanmax([farthest, *slaved]))
     return farthest, float(amplitude.max())

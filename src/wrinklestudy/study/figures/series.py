@@ -34,13 +34,13 @@ def labels(sheets: Sequence[SheetStates]) -> list[str]:
 def note(series: Sequence[SheetStates]) -> str:
     """Return what all sheets have in common and their labels do not say."""
     first, parts = series[0], []
-    if len({one.law for one in series}) == 1 and len(series) > 1:
+    if len({sheet.law for sheet in series}) == 1 and len(series) > 1:
         parts.append(law_label(first.law))
     for name, symbol in _SYMBOLS.items():
-        if len({getattr(one, name) for one in series}) == 1:
+        if len({getattr(sheet, name) for sheet in series}) == 1:
             parts.append(f"${symbol} = {number(getattr(first, name))}$")
     for name, default in (("bending", "thinning"), ("parity", "antisymmetric")):
-        common = {getattr(one, name) for one in series}
+        common = {getattr(sheet, name) for sheet in series}
         if len(common) == 1 and common != {default}:
             parts.append(getattr(first, name))
     return ", ".join(parts)

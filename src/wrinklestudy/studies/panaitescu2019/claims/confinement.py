@@ -148,21 +148,21 @@ def hookean_maximum(study: StudyTables) -> Finding:
 def tension_field(study: StudyTables) -> Finding:
     """Compare the confinement of the thinnest sheet with that of the paper's sheet."""
     sheet = study.sheet
-    thinner = [s for s in study.by("thickness").values() if s.thickness < sheet.thickness]
+    thinner = [s for s in study.sheets_by("thickness").values() if s.thickness < sheet.thickness]
     if not thinner:
         raise MissingError(f"a sheet like {sheet.label} but thinner")
-    found = [(s.thickness, s.at("phi_squared", SHOWN_STRAIN)) for s in (*thinner, sheet)]
-    own = found[-1][1]
-    if not own > 0.0:
+    confinements = [(s.thickness, s.at("phi_squared", SHOWN_STRAIN)) for s in (*thinner, sheet)]
+    of_paper = confinements[-1][1]
+    if not of_paper > 0.0:
         raise MissingError(f"wrinkles at strain {SHOWN_STRAIN:g} of {sheet.label}")
-    change = found[0][1] / own - 1.0
+    change = confinements[0][1] / of_paper - 1.0
     return Finding(
         verdict_of(abs(change) <= SAME),
         (
-            *(Value(f"Φ² at ε = {SHOWN_STRAIN:g}, t/W = {t:g}", phi) for t, phi in found),
+            *(Value(f"Φ² at ε = {SHOWN_STRAIN:g}, t/W = {t:g}", phi) for t, phi in confinements),
             Value("change from the paper's sheet to the thinnest", change),
         ),
-        f"From t/W = {sheet.thickness:g} to {found[0][0]:g} Φ² changes by {change:+.0%}: "
+        f"From t/W = {sheet.thickness:g} to {confinements[0][0]:g} Φ² changes by {change:+.0%}: "
         + (
             "it has its limit of vanishing thickness."
             if abs(change) <= SAME

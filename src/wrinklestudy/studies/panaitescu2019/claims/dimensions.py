@@ -26,7 +26,7 @@ def _margin(sheet: SheetStates) -> float:
 )
 def none_when_short(study: StudyTables) -> Finding:
     """Look for wrinkles of the short sheet."""
-    sheet = study.one(aspect=SHORT)
+    sheet = study.sheet_with(aspect=SHORT)
     return Finding(
         verdict_of(not sheet.wrinkles),
         (
@@ -50,7 +50,7 @@ def none_when_short(study: StudyTables) -> Finding:
 )
 def wrinkles_when_long(study: StudyTables) -> Finding:
     """Look for wrinkles of the long sheet."""
-    sheet = study.one(aspect=LONG)
+    sheet = study.sheet_with(aspect=LONG)
     return Finding(
         verdict_of(bool(np.isfinite(sheet.birth))),
         (
@@ -75,7 +75,7 @@ def wrinkles_when_long(study: StudyTables) -> Finding:
 )
 def island_of_lengths(study: StudyTables) -> Finding:
     """Find both ends of the range of L/W, where the largest critical thickness equals t."""
-    sheets = list(study.by("aspect").values())
+    sheets = list(study.sheets_by("aspect").values())
     aspects = np.array([sheet.aspect for sheet in sheets])
     excess = np.array([_margin(sheet) - 1.0 for sheet in sheets])
     wrinkle = np.flatnonzero([sheet.wrinkles for sheet in sheets])
@@ -119,7 +119,7 @@ def _crossing(aspects: Array, excess: Array, k: int) -> float:
 )
 def thin_enough(study: StudyTables) -> Finding:
     """Compare the thicknesses that wrinkle with those that do not."""
-    sheets = list(study.by("thickness").values())
+    sheets = list(study.sheets_by("thickness").values())
     flat = [sheet for sheet in sheets if not sheet.wrinkles]
     wrinkled = [sheet for sheet in sheets if sheet.wrinkles]
     limit = max(sheet.max_critical_thickness for sheet in sheets)
@@ -154,7 +154,7 @@ def thin_enough(study: StudyTables) -> Finding:
 )
 def threshold_vanishes(study: StudyTables) -> Finding:
     """Fit a power of the thickness to the birth strains of the thickness series."""
-    sheets = [s for s in study.by("thickness").values() if np.isfinite(s.birth)]
+    sheets = [s for s in study.sheets_by("thickness").values() if np.isfinite(s.birth)]
     if len(sheets) < 2:
         raise MissingError(f"two sheets like {study.sheet.label}, of other thickness, that wrinkle")
     thickness = np.array([sheet.thickness for sheet in sheets])

@@ -34,7 +34,7 @@ NEO_HOOKEAN, SVK = "neo-hookean", "svk"
 )
 def neo_hookean_smaller(study: StudyTables) -> Finding:
     """Compare the amplitudes at the strains of the wrinkled states of the paper's sheet."""
-    sheet, other = study.sheet, study.one(law=NEO_HOOKEAN)
+    sheet, other = study.sheet, study.sheet_with(law=NEO_HOOKEAN)
     strain, mine = sheet.wrinkled("strain", _AMPLITUDE)
     common = [k for k, eps in enumerate(strain) if _has(other, eps)]
     if not common:
@@ -76,7 +76,7 @@ def _has(sheet: SheetStates, strain: float) -> bool:
 )
 def neo_hookean_shorter(study: StudyTables) -> Finding:
     """Compare the decay strains."""
-    sheet, other = study.sheet, study.one(law=NEO_HOOKEAN)
+    sheet, other = study.sheet, study.sheet_with(law=NEO_HOOKEAN)
     if not other.wrinkles:
         raise MissingError(f"wrinkles of {other.label}")
     return Finding(
@@ -97,7 +97,7 @@ def neo_hookean_shorter(study: StudyTables) -> Finding:
 )
 def material_nonlinearity(study: StudyTables) -> Finding:
     """Compare the decay strains of all laws under one bending law."""
-    sheets = study.by("law")
+    sheets = study.sheets_by("law")
     if len(sheets) < 2:
         raise MissingError(f"a sheet like {study.sheet.label} but another law")
     persist = ends(sheets)
@@ -127,7 +127,7 @@ def material_nonlinearity(study: StudyTables) -> Finding:
 )
 def svk_much_lower(study: StudyTables) -> Finding:
     """Compare the decay strains, each bending law by itself."""
-    mine, its = study.by("bending"), study.by("bending", law=SVK)
+    mine, its = study.sheets_by("bending"), study.sheets_by("bending", law=SVK)
     if not its:
         raise MissingError(f"a sheet like {study.sheet.label} but law = {SVK}")
     persist = ends(its)
@@ -174,7 +174,7 @@ def _holes(sheets: dict[str, SheetStates]) -> str:
 def mooney_rivlin_highest(study: StudyTables) -> Finding:
     """Compare the decay strain with those of both other laws."""
     sheet = study.sheet
-    others = {law: study.one(law=law) for law in (NEO_HOOKEAN, SVK)}
+    others = {law: study.sheet_with(law=law) for law in (NEO_HOOKEAN, SVK)}
     persist = ends(others)
     outcomes = {law: shorter(other, sheet, SHORTER) for law, other in others.items()}
     verdict, what = verdict_across(outcomes, "the law")

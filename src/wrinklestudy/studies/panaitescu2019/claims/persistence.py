@@ -112,7 +112,7 @@ def disappear_at_large_strain(study: StudyTables) -> Finding:
 )
 def beyond_earlier_range(study: StudyTables) -> Finding:
     """Compare the decay strain with the largest one of earlier work."""
-    sheets = study.by("bending")
+    sheets = study.sheets_by("bending")
     persist = ends(sheets)
     limit = FAR_BEYOND * EARLIER_RANGE[1]
     verdict, what = verdict_across({name: end >= limit for name, end in persist.items()}, BENDING)
@@ -162,7 +162,7 @@ def rise_and_decay(study: StudyTables) -> Finding:
 )
 def flat_at_greatest_strain(study: StudyTables) -> Finding:
     """Compare the decay strain with the greatest strain shown."""
-    sheets = study.by("bending")
+    sheets = study.sheets_by("bending")
     persist = ends(sheets)
     outcomes = {name: 0.0 < end <= GREATEST_STRAIN for name, end in persist.items()}
     verdict, what = verdict_across(outcomes, BENDING)
@@ -184,7 +184,7 @@ def flat_at_greatest_strain(study: StudyTables) -> Finding:
 )
 def persist_to_two_fifths(study: StudyTables) -> Finding:
     """Compare the decay strains of all bending laws with 0.4."""
-    sheets = study.by("bending")
+    sheets = study.sheets_by("bending")
     persist = ends(sheets)
     near = {name: abs(end - PERSISTENCE) <= ABOUT * PERSISTENCE for name, end in persist.items()}
     verdict, what = verdict_across(near, BENDING)
@@ -210,11 +210,11 @@ def persist_to_two_fifths(study: StudyTables) -> Finding:
 def around_three_tenths(study: StudyTables) -> Finding:
     """Ask whether constants or the bending law move the decay strain to 0.3."""
     target = 0.3
-    sheets = study.by("bending")
+    sheets = study.sheets_by("bending")
     others = {name: sheet for name, sheet in sheets.items() if name != study.sheet.bending}
     if not others:
         raise MissingError(f"a sheet like {study.sheet.label} but another bending law")
-    limit = study.one(law="neo-hookean")
+    limit = study.sheet_with(law="neo-hookean")
     persist = ends(sheets)
     near = [name for name in others if abs(persist[name] - target) <= ABOUT * target]
     by_constants = limit.end <= (1.0 + ABOUT) * target

@@ -115,8 +115,8 @@ def _why(full: float, central: float) -> str:
 def _sinusoid_constant() -> float:
     """Return C/(1/pi) as the program measures it on A sin(2 pi y/lambda) of small slope."""
     y = np.linspace(-0.5, 0.5, 2001)
-    found = measure(Profile(y, 1e-3 * np.sin(2.0 * np.pi * y / 0.125)))
-    return found.shape_constant / theory.SINUSOID_CONSTANT
+    measures = measure(Profile(y, 1e-3 * np.sin(2.0 * np.pi * y / 0.125)))
+    return measures.shape_constant / theory.SINUSOID_CONSTANT
 
 
 @claim(
@@ -212,7 +212,9 @@ def collapse(study: StudyTables) -> Finding:
 def _wrinkled_beyond(study: StudyTables) -> list[SheetStates]:
     """Return the sheets of the L/W series with wrinkled states at large strain."""
     return [
-        sheet for sheet in study.by("aspect").values() if sheet.wrinkled_above(LARGE_STRAIN).any()
+        sheet
+        for sheet in study.sheets_by("aspect").values()
+        if sheet.wrinkled_above(LARGE_STRAIN).any()
     ]
 
 
@@ -250,6 +252,6 @@ def caption_ranges(study: StudyTables) -> Finding:
 
 
 def _pooled(sheets: list[SheetStates], average: str, above: float) -> tuple[Array, Array]:
-    parts = [_points(sheet, average, above) for sheet in sheets]
-    product, height = (np.concatenate(columns) for columns in zip(*parts, strict=True))
+    points = [_points(sheet, average, above) for sheet in sheets]
+    product, height = (np.concatenate(columns) for columns in zip(*points, strict=True))
     return product, height

@@ -144,7 +144,7 @@ def _names(bars: set[str]) -> str:
 )
 def antisymmetric(study: StudyTables) -> Finding:
     """Compare the energies of the two parities at the strains that both have."""
-    odd, even = study.one(parity="antisymmetric"), study.one(parity="symmetric")
+    odd, even = study.sheet_with(parity="antisymmetric"), study.sheet_with(parity="symmetric")
     strain, energy, flat = odd.wrinkled("strain", "energy", "flat_energy")
     even_strain, even_energy = even.wrinkled("strain", "energy")
     common, mine, its = np.intersect1d(strain, even_strain, return_indices=True)

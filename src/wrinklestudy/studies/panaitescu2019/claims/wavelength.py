@@ -134,7 +134,7 @@ def wavelength_interval(study: StudyTables) -> Finding:
 )
 def length_exponent(study: StudyTables) -> Finding:
     """Fit the power of L to the wavelengths of the L/W series at the strain most of them share."""
-    sheets = [sheet for sheet in study.by("aspect").values() if "wrinkled" in sheet.status]
+    sheets = [sheet for sheet in study.sheets_by("aspect").values() if "wrinkled" in sheet.status]
     shared: dict[float, dict[float, float]] = {}
     for sheet in sheets:
         for eps, value in zip(*sheet.wrinkled("strain", _WAVELENGTH), strict=True):

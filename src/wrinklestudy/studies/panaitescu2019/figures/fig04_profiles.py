@@ -29,9 +29,9 @@ def draw(inputs: Inputs) -> Figure:
     """Draw z(y) of every state given at the height of its strain; words where none converged."""
     states = inputs.loaded_states()
     first = states[0]
-    computed = [(one.strain, _profile(one)) for one in states]
+    computed = [(state.strain, _profile(state)) for state in states]
     scans = inputs.scans_of([(canonical(first.aspect), canonical(first.thickness))])
-    scanned = [(one.strain, one.profile) for one in scans]
+    scanned = [(scan.strain, scan.profile) for scan in scans]
     spacing = _spacing(computed)
     largest = max(_height(curve) for curve in computed + scanned)
     factor = _FILL * spacing / (largest or first.thickness)

@@ -23,10 +23,10 @@ def draw(inputs: Inputs) -> Figure:
     """Draw A/t against strain; diamonds are birth and decay strain of the eigenvalue problem."""
     series = inputs.series
     figure, axes = style.panel()
-    for one, look in styled(series):
-        axes.plot(*one.curve(_COLUMN), look.line, color=look.color, lw=0.8)
-        points(axes, one, look, _COLUMN)
-        _ends(axes, one, look.color)
+    for sheet, look in styled(series):
+        axes.plot(*sheet.curve(_COLUMN), look.line, color=look.color, lw=0.8)
+        points(axes, sheet, look, _COLUMN)
+        _ends(axes, sheet, look.color)
     measured = overlay(axes, series, inputs.measured_amplitude())
     axes.set_ylabel("$A/t$")
     highest = max(extremes(series, _COLUMN)[1], measured) or 1.0
@@ -35,8 +35,8 @@ def draw(inputs: Inputs) -> Figure:
     return figure
 
 
-def _ends(axes: Axes, one: SheetStates, color: str) -> None:
-    ends = [strain for strain in (one.birth, one.decay) if np.isfinite(strain)]
+def _ends(axes: Axes, sheet: SheetStates, color: str) -> None:
+    ends = [strain for strain in (sheet.birth, sheet.decay) if np.isfinite(strain)]
     if ends:
         axes.plot(
             ends,

@@ -25,12 +25,14 @@ def draw(inputs: Inputs) -> Figure:
     """Draw lambda/W of the wrinkled states against strain and the closed form beside it."""
     series = inputs.series
     figure, axes = style.panel()
-    for one, look in styled(series):
-        axes.plot(one.column("strain"), one.column(_COLUMN), look.line, color=look.color, lw=0.8)
-        points(axes, one, look, _COLUMN)
+    for sheet, look in styled(series):
+        axes.plot(
+            sheet.column("strain"), sheet.column(_COLUMN), look.line, color=look.color, lw=0.8
+        )
+        points(axes, sheet, look, _COLUMN)
     measured = overlay(axes, series, inputs.measured_wavelength())
     strain = largest_strain(series) * np.linspace(0.02, 1.0, 300)
-    for aspect, thickness in sorted({one.size for one in series}):
+    for aspect, thickness in sorted({sheet.size for sheet in series}):
         closed = theory.cm_wavelength(strain, aspect, thickness, factor=theory.WAVELENGTH_FACTOR)
         axes.plot(strain, closed, ":", color=style.BLACK, label=_closed_form_label())
     axes.set_ylabel(r"$\lambda/W$")

@@ -17,16 +17,16 @@ ABOVE = 0.15
 
 def draw(inputs: Inputs) -> Figure:
     """Draw A/t against Phi lambda/t of the wrinkled states beyond the strain `ABOVE`."""
-    series = sorted(inputs.series, key=lambda one: (one.aspect, one.thickness))
+    series = sorted(inputs.series, key=lambda sheet: (sheet.aspect, sheet.thickness))
     figure, axes = style.panel(height=6.4)
-    scans = inputs.scans_of([one.size for one in series])
-    shown = [one for one in scans if one.strain > ABOVE]
+    scans = inputs.scans_of([sheet.size for sheet in series])
+    shown = [scan for scan in scans if scan.strain > ABOVE]
     farthest, highest = measured.slaving(axes, shown)
     holes = 0
-    for one, look in styled(series):
-        holes += int((one.of_status("not-converged") & (one.column("strain") > ABOVE)).sum())
+    for sheet, look in styled(series):
+        holes += int((sheet.of_status("not-converged") & (sheet.column("strain") > ABOVE)).sum())
         for average in slaving.AVERAGES:
-            slaved, amplitude = slaving.trajectory(one, average, ABOVE)
+            slaved, amplitude = slaving.trajectory(sheet, average, ABOVE)
             if np.isfinite(slaved).any():
                 label = look.label if average == slaving.AVERAGES[0] else None
                 slaving.points(axes, slaved, amplitude, look, label)

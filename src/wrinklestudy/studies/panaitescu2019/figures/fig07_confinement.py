@@ -21,14 +21,14 @@ def draw(inputs: Inputs) -> Figure:
     """Draw Phi^2 of the full width against strain, birth and decay included."""
     series = inputs.series
     figure, axes = style.panel()
-    for one, look in styled(series):
-        strain, confinement = one.curve(_COLUMN)
+    for sheet, look in styled(series):
+        strain, confinement = sheet.curve(_COLUMN)
         axes.plot(strain, 1e3 * confinement, look.line, color=look.color, lw=0.8)
-        points(axes, one, look, _COLUMN, 1e3)
+        points(axes, sheet, look, _COLUMN, 1e3)
     largest = 1e3 * extremes(series, _COLUMN)[1] or 1.0
-    found = measured.confinement(inputs.scans_of([one.size for one in series]))
-    if found is not None:
-        largest = max(largest, measured.band(axes, found, 1e3))
+    scanned = measured.confinement(inputs.scans_of([sheet.size for sheet in series]))
+    if scanned is not None:
+        largest = max(largest, measured.band(axes, scanned, 1e3))
     axes.set_ylabel(r"$\Phi^2 \times 10^3$")
     axes.set_ylim(-BELOW * largest, 2.0 * largest)
     end = finish(figure, axes, series)
@@ -40,9 +40,9 @@ def _inset(axes: Axes, series: list[SheetStates], end: float) -> None:
     strain = np.linspace(0.01 * end, end, 200)
     axes.plot(strain, theory.cm_confinement(strain), "--", color=style.BLACK, lw=0.8)
     axes.text(0.5 * end, 0.15 * end, r"$\nu\varepsilon$", ha="center", va="top", fontsize=7)
-    for one, look in styled(series):
-        wrinkled = one.of_status("wrinkled")
-        strain, value = one.column("strain")[wrinkled], one.column(_COLUMN)[wrinkled]
+    for sheet, look in styled(series):
+        wrinkled = sheet.of_status("wrinkled")
+        strain, value = sheet.column("strain")[wrinkled], sheet.column(_COLUMN)[wrinkled]
         axes.plot(strain, value, look.marker, color=look.color, ms=1.6)
     axes.set_yscale("log")
     axes.set_xlim(0.0, 1.02 * end)

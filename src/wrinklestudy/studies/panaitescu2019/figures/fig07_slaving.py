@@ -13,16 +13,16 @@ def draw(inputs: Inputs) -> Figure:
     """Draw A/t against Phi lambda/t of the wrinkled states, arrows toward larger strain."""
     series = inputs.series
     figure, axes = style.panel(height=5.4)
-    farthest, highest = measured.slaving(axes, inputs.scans_of([one.size for one in series]))
-    for one, look in styled(series):
+    farthest, highest = measured.slaving(axes, inputs.scans_of([sheet.size for sheet in series]))
+    for sheet, look in styled(series):
         for average in slaving.AVERAGES:
-            slaved, amplitude = slaving.trajectory(one, average)
+            slaved, amplitude = slaving.trajectory(sheet, average)
             label = look.label if average == slaving.AVERAGES[0] else None
             slaving.points(axes, slaved, amplitude, look, label)
             slaving.arrows(axes, slaved, amplitude, look.color)
             farthest = float(np.nanmax([farthest, *slaved]))
             highest = float(np.nanmax([highest, *amplitude]))
-    holes = sum(one.status.count("not-converged") for one in series)
+    holes = sum(sheet.status.count("not-converged") for sheet in series)
     slaving.finish(axes, farthest, highest, holes)
     legend(figure, axes, series)
     return figure

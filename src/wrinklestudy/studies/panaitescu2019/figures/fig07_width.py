@@ -19,8 +19,8 @@ def draw(inputs: Inputs) -> Figure:
     axes.plot(strain, linear, "--", color=style.BLACK, lw=0.8, label=name)
     name = r"$(1 + \varepsilon)^{-1/2}$"
     axes.plot(strain, theory.uniaxial_width(strain), ":", color=style.GREY, label=name)
-    for one, look in styled(series):
-        points(axes, one, look, "arc_width_over_width")
+    for sheet, look in styled(series):
+        points(axes, sheet, look, "arc_width_over_width")
     axes.set_ylabel(r"$W_{\mathrm{act}}/W$")
     axes.set_ylim(top=1.005)
     finish(figure, axes, series)

@@ -17,12 +17,12 @@ from wrinklestudy.typing import Array
 AVERAGES = ("phi_squared", "phi_squared_central")
 
 
-def trajectory(one: SheetStates, average: str, above: float = 0.0) -> tuple[Array, Array]:
+def trajectory(sheet: SheetStates, average: str, above: float = 0.0) -> tuple[Array, Array]:
     """Return Phi lambda/t and A/t of the wrinkled states beyond a strain, NaN elsewhere."""
-    shown = one.wrinkled_above(above)
-    confinement = np.sqrt(one.column(average))
-    product = confinement * one.column("wavelength_over_width") / one.thickness
-    amplitude = one.column("amplitude_over_thickness")
+    shown = sheet.wrinkled_above(above)
+    confinement = np.sqrt(sheet.column(average))
+    product = confinement * sheet.column("wavelength_over_width") / sheet.thickness
+    amplitude = sheet.column("amplitude_over_thickness")
     return np.where(shown, product, np.nan), np.where(shown, amplitude, np.nan)
 
 
