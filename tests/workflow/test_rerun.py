@@ -105,6 +105,7 @@ def test_one_more_aspect_leaves_the_other_sheets_alone(study):
     jobs = study.planned()
     assert figures(jobs) == {"fig06_aspect", "fig07_collapse"}
     for stage in ("mesh", "planar", "stability", "wrinkle", "metrics"):
+        assert outputs(jobs, stage)
         assert all("aspect2.5_" in output for output in outputs(jobs, stage))
 
 

@@ -113,7 +113,8 @@ def test_a_single_hump_has_an_amplitude_but_no_wavelength():
     y = np.linspace(-0.5, 0.5, 201)
     found = measure(Profile(y, 2e-3 * np.exp(-((y / 0.1) ** 2))))
     assert found.amplitude == pytest.approx(2e-3, rel=1e-6)
-    assert found.phi_squared > 0.0
+    # the integral of z'^2 / 2 over a width of 1
+    assert found.phi_squared == pytest.approx(2e-3**2 * np.sqrt(np.pi / 2) / (2 * 0.1), rel=1e-3)
     assert np.isnan([found.wavelength, found.shape_constant, found.phi_squared_central]).all()
 
 

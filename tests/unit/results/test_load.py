@@ -56,7 +56,9 @@ def test_states_come_by_strain_and_numbers_as_arrays(files):
 
 
 def test_a_sheet_without_a_stability_file_has_no_ends(files):
-    for sheet in load_sheets(files[0], []):
+    sheets = load_sheets(files[0], [])
+    assert len(sheets) == len(files[0])
+    for sheet in sheets:
         assert np.isnan([sheet.birth, sheet.decay, sheet.max_critical_thickness]).all()
 
 

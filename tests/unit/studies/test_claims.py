@@ -11,6 +11,7 @@ from made_up_rows import SHEET, state_row
 from made_up_study import NEVER, STRAIN, all_bending, lengths, material, world
 
 from wrinklestudy.study.claims.discovery import load_claims
+from wrinklestudy.study.claims.finding import VERDICTS
 
 CLAIMS = load_claims("panaitescu2019")
 
@@ -238,11 +239,11 @@ def lost_state(row):
 def test_holes_anywhere_never_stop_a_claim(holes):
     study = world()
     sheets = []
-    for k, one in enumerate(study.sheets):
+    for k, sheet in enumerate(study.sheets):
         lost = holes[k % len(holes)]
         states = [
-            lost_state(row) if hole else row for hole, row in zip(lost, one.states, strict=True)
+            lost_state(row) if hole else row for hole, row in zip(lost, sheet.states, strict=True)
         ]
-        sheets.append(replace(one, states=tuple(states)))
+        sheets.append(replace(sheet, states=tuple(states)))
     for claim in CLAIMS:
-        assert claim.finding(replace(study, sheets=tuple(sheets))).verdict
+        assert claim.finding(replace(study, sheets=tuple(sheets))).verdict in VERDICTS

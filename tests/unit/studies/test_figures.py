@@ -77,6 +77,7 @@ def test_a_sheet_of_which_nothing_converged_is_drawn(name, made_up, inputs_with,
     nothing = made_up(holes=STRAINS, birth=None, decay=None)
     states = STRAINS if name in OF_STATES else ()
     run(name, inputs_with(nothing, states=states), tmp_path / "a.pdf")
+    assert (tmp_path / "a.pdf").read_bytes().startswith(b"%PDF")
 
 
 @pytest.mark.parametrize(
@@ -86,6 +87,7 @@ def test_a_sheet_that_never_wrinkles_is_drawn(name, made_up, inputs_with, tmp_pa
     flat = made_up(holes=(), birth=None, decay=None)
     states = STRAINS if name in OF_STATES else ()
     run(name, inputs_with(flat, states=states), tmp_path / "a.pdf")
+    assert (tmp_path / "a.pdf").read_bytes().startswith(b"%PDF")
 
 
 def test_every_module_of_a_figure_is_in_the_catalogue_under_its_name():

@@ -115,6 +115,7 @@ def test_every_point_lies_inside_the_axes(module, aspects):
             [line.get_xydata() for line in axes.lines if line.get_transform() == axes.transData]
         )
         found = found[np.isfinite(found).all(axis=1)]
+        assert len(found)
         low, high = np.array([axes.get_xlim(), axes.get_ylim()]).T
         assert (found >= low).all()
         assert (found <= high).all()

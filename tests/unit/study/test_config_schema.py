@@ -95,7 +95,7 @@ def test_the_schema_refuses_what_the_program_refuses(validator, path, value):
     ],
 )
 def test_a_short_file_need_hold_only_what_differs(validator, short):
-    validator.validate(short)
+    assert not list(validator.iter_errors(short))
 
 
 def test_an_entry_of_a_list_is_whole_in_a_short_file_too(validator):

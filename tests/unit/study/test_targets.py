@@ -60,7 +60,9 @@ def test_wanted_files_those_on_the_way_and_the_gate_are_all_that_there_is():
 
 def test_no_file_of_the_study_is_refused():
     for stage in STAGES:
-        assert not any(map(refused, files_of(STUDY, PATHS, stage)))
+        files = files_of(STUDY, PATHS, stage)
+        assert files
+        assert not any(map(refused, files))
 
 
 @given(st.floats(0.5, 20), st.floats(1e-6, 0.05), st.floats(1e-6, 1))
