@@ -1,0 +1,38 @@
+"""What the docs name is there."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from wrinklestudy.results.paths import STAGES
+
+ROOT = Path(__file__).parents[2]
+PAGES = sorted([ROOT / "README.md", *(ROOT / "docs").rglob("*.md")])
+PACKAGE = ROOT / "src" / "wrinklestudy"
+ARCHITECTURE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_links_lead_to_files(page):
+    targets = re.findall(r"\]\(([^)#]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8"))
+    local = [target for target in targets if "://" not in target]
+    assert [target for target in local if not (page.parent / target).exists()] == []
+
+
+def test_files_that_the_architecture_names_exist():
+    named = re.findall(r"`([\w./]+(?:/|\.(?:py|md|smk|yaml|json|txt)))`", ARCHITECTURE)
+    outside = ("results/", "figures/", "gate.json")  # what a study makes
+    files = [name for name in named if not name.startswith(outside) or (PACKAGE / name).exists()]
+    assert len(files) > 30
+    assert [
+        name for name in files if not ((ROOT / name).exists() or (PACKAGE / name).exists())
+    ] == []
+
+
+def test_the_architecture_has_every_room_and_every_stage():
+    rooms = re.findall(r"^\| `(\w+)(?:/|\.py)` \|", ARCHITECTURE, flags=re.MULTILINE)
+    there = [path.stem for path in PACKAGE.iterdir() if path.suffix in ("", ".py")]
+    assert sorted(rooms) == sorted(name for name in there if not name.startswith("__"))
+    stages = re.findall(r"^\| (\w+) \| .* \|$", ARCHITECTURE, flags=re.MULTILINE)
+    assert stages[: stages.index("gate") + 1][-len(STAGES) :] == list(STAGES)
