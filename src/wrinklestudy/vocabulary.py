@@ -1,4 +1,4 @@
-"""Words and limits that the whole library shares: one place for what may be said of a sheet."""
+"""Words and limits that the whole library shares."""
 
 from dataclasses import dataclass
 from typing import Literal, get_args
@@ -12,16 +12,16 @@ STATUSES: tuple[Status, ...] = get_args(Status)
 
 @dataclass(frozen=True)
 class Limits:
-    """The numbers that are allowed: ``value in limits``; as text, what a message says of them.
+    """A range of numbers: ``value in limits`` tests a number, ``str(limits)`` words a message.
 
     Parameters
     ----------
     lowest, highest : float
         Ends of the interval.
     above_lowest : bool
-        Whether the lower end itself is not allowed.
+        Whether the lower end itself is excluded.
     unit : str
-        What the number is or is measured in, for messages.
+        What the number is, or its unit, for messages.
 
     Examples
     --------
@@ -35,12 +35,12 @@ class Limits:
     unit: str = ""
 
     def __contains__(self, value: float) -> bool:
-        """Whether a number lies between the limits; NaN does not."""
+        """Return whether a number lies within the limits; NaN never does."""
         above = value > self.lowest if self.above_lowest else value >= self.lowest
         return above and value <= self.highest
 
     def __str__(self) -> str:
-        """Return the limits in the words of a message."""
+        """Return the limits as a message words them."""
         sign = ">" if self.above_lowest else ">="
         unit = f" ({self.unit})" if self.unit else ""
         return f"{sign} {self.lowest:g} and <= {self.highest:g}{unit}"

@@ -1,1 +1,1 @@
-"""Equilibria of the sheet: flat, wrinkled, their stability, branches of them."""
+"""Equilibria of the sheet, flat and wrinkled, their stability, and branches over strain."""

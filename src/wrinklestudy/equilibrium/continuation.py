@@ -1,12 +1,12 @@
 """Branches of wrinkled states over strain, by pseudo-arclength continuation.
 
-The study does not need them: each of its states is found on its own. They show that those states
-do not depend on a path, and whether wrinkles appear and vanish without a jump. Points u =
-(position, eps) satisfy R(u) = 0; from one to the next the corrector keeps
+No study needs them, because each state is found on its own. They show that those states do not
+depend on a path, and whether wrinkles appear and vanish without a jump. Points u =
+(position, eps) satisfy R(u) = 0; from one to the next the corrector prescribes
 
     s = <dw/ds, w - w0> / (n t^2) + (deps/ds) (eps - eps0) / eps_scale^2
 
-(w: deflections at the n nodes), so that it passes folds, where the strain turns back.
+(w: deflections at the n nodes), so that it passes folds, where the strain reverses.
 """
 
 from collections.abc import Sequence
@@ -21,7 +21,7 @@ from wrinklestudy.equilibrium.wrinkled import Equilibrium
 from wrinklestudy.fem.factorisation import IndefiniteSolver, make_indefinite_solver
 from wrinklestudy.typing import Array
 
-# Amplitudes over t below this are the flat state
+# An amplitude over t below this means the flat state
 _ZERO = 1.0e-3
 
 
@@ -47,11 +47,11 @@ class Corrected(NamedTuple):
 
     point: PathPoint
     iterations: int
-    unstable: int  # negative eigenvalues of the tangent at its strain
+    unstable: int  # negative eigenvalues of the tangent
 
 
 class SpecialPoint(NamedTuple):
-    """Where something happens on a branch."""
+    """A point of a branch at which something happens."""
 
     kind: str  # 'fold', 'vanishing' or 'stability', see `Branch`
     strain: float
@@ -63,7 +63,7 @@ class BranchPoint(NamedTuple):
     strain: float
     amplitude: float  # largest |z| at the nodes over t, with the sign of the first point's peak
     energy: float  # of the part that is solved, mu W^3
-    unstable: int  # negative eigenvalues of the tangent at this strain
+    unstable: int  # negative eigenvalues of the tangent
     iterations: int
 
 
@@ -80,11 +80,11 @@ class ContinuationOptions:
     strain_scale : float
         Strain that counts as much as a mean deflection of one thickness.
     max_points : int
-        Limit of points.
+        Largest number of points.
     tolerance : float
-        Converged when the correction of the deflection falls below this part of t.
+        A point has converged when the correction of the deflection is below this fraction of t.
     max_iterations : int
-        Newton iterations for each point before the step is halved.
+        Newton iterations per point before the step is halved.
     """
 
     step: float = 0.1
@@ -104,7 +104,7 @@ class Branch:
     ----------
     points : tuple of BranchPoint
     special : tuple of SpecialPoint
-        'fold' where the strain turns back, 'vanishing' where the amplitude passes zero (a pitchfork
+        'fold' where the strain reverses, 'vanishing' where the amplitude passes zero (a pitchfork
         of the flat state), 'stability' where the number of unstable directions changes.
     reason : str
         Why the branch ends.
@@ -124,7 +124,7 @@ class ExtendedSystem:
     Parameters
     ----------
     planar : Planar
-        Of any strain of the sheet.
+        The planar state at any strain of the sheet.
     thickness : float
         t/W.
     options : ContinuationOptions
@@ -145,15 +145,15 @@ class ExtendedSystem:
         self.solver: IndefiniteSolver = make_indefinite_solver()
         at_nodes = np.zeros((3, self.space.size), dtype=bool)
         at_nodes[2, self.space.dofs.nodal_dofs[0]] = True
-        self.deflections = at_nodes[self.free]  # which unknowns are deflections at the nodes
+        self.deflections = at_nodes[self.free]  # deflections at the nodes
 
     def at(self, strain: float) -> PlateProblem:
-        """Return the problem with the clamp at a strain; it is the same object at every strain."""
+        """Return the problem with the clamp moved to a strain, always the same object."""
         self.problem.prescribe(self.clamp.position(self.space, strain))
         return self.problem
 
     def load(self, point: PathPoint, step: float = 1e-5) -> Array:
-        """Return dR/deps by a central difference (the clamp's part of the residual is smooth)."""
+        """Return dR/deps by a central difference; the residual depends smoothly on the clamp."""
         below, above = (
             self.at(point.strain + k * step).reactions(point.unknowns)[self.free] for k in (-1, 1)
         )
@@ -171,13 +171,13 @@ class ExtendedSystem:
         return PathPoint(direction.unknowns / size, direction.strain / size)
 
     def tangent(self, point: PathPoint, upward: bool) -> PathPoint:
-        """Return the unit tangent of the branch at a point, toward larger or smaller strains."""
+        """Return the unit tangent of the branch at a point, towards larger or smaller strains."""
         self.solver.factorise(self.at(point.strain).derivatives(point.unknowns).tangent)
         sign = 1.0 if upward else -1.0
         return self.unit(PathPoint(-sign * self.solver.solve(self.load(point)), sign))
 
     def correct(self, guess: PathPoint, along: PathPoint) -> Corrected | None:
-        """Return the point of the branch that lies beside a guess, at right angles to a direction.
+        """Return the point of the branch from a guess, by a correction normal to a direction.
 
         None if Newton's method does not converge or leaves the positive strains.
         """
@@ -203,7 +203,7 @@ class ExtendedSystem:
     def advance(
         self, last: PathPoint, along: PathPoint, step: float
     ) -> tuple[Corrected | None, float]:
-        """Return the next point, None if every step failed, and the step that led to it."""
+        """Return the next point and the step that led to it; None if every step failed."""
         while step >= self.options.smallest_step:
             corrected = self.correct(last.moved(along, step), along)
             if corrected is not None:
@@ -212,7 +212,7 @@ class ExtendedSystem:
         return None, step
 
     def row(self, point: PathPoint, iterations: int, unstable: int) -> BranchPoint:
-        """Return the row of the table, the amplitude without its sign."""
+        """Return the row of the table, with the amplitude unsigned."""
         amplitude = float(np.abs(point.unknowns[self.deflections]).max()) / self.thickness
         energy = self.at(point.strain).energy(point.unknowns)
         return BranchPoint(point.strain, amplitude, energy, unstable, iterations)
@@ -233,7 +233,7 @@ def trace(
     strains : (float, float)
         Smallest and largest strain; the branch ends beyond them or where the amplitude passes zero.
     upward : bool
-        Toward larger strains first.
+        Whether to start towards larger strains.
     options : ContinuationOptions, optional
 
     Raises
@@ -268,7 +268,7 @@ def trace(
 
 
 def _end(row: BranchPoint, strains: tuple[float, float]) -> str:
-    """Return why a branch ends at a point, empty if it goes on."""
+    """Return why a branch ends at a point; empty if it goes on."""
     if row.amplitude <= _ZERO:
         return "the amplitude vanishes"
     if not strains[0] <= row.strain <= strains[1]:
@@ -292,6 +292,6 @@ def special_points(points: Sequence[BranchPoint]) -> tuple[SpecialPoint, ...]:
 
 
 def _vanishing(points: Sequence[BranchPoint]) -> float:
-    """Return where A^2, which is linear in the strain at a pitchfork, vanishes."""
+    """Return where A^2 vanishes, which is linear in the strain near a pitchfork."""
     a, b = points[-2], points[-1]
     return b.strain + b.amplitude**2 * (b.strain - a.strain) / (a.amplitude**2 - b.amplitude**2)

@@ -1,4 +1,4 @@
-"""What a minimisation needs to know of an energy."""
+"""What a minimisation needs to know about an energy."""
 
 from typing import NamedTuple, Protocol
 
@@ -28,4 +28,4 @@ class Problem(Protocol):
         """Return the residual alone."""
 
     def shift(self) -> sparse.csr_array | None:
-        """Return a positive semidefinite matrix of the tangent's pattern that makes it definite."""
+        """Return a positive semidefinite matrix that, added to the tangent, makes it definite."""

@@ -2,7 +2,7 @@
 
 The state keeps two mirrors of the sheet. A perturbation of the whole sheet is a sum of four parts
 that keep or break each of them, and the tangent does not couple the parts: the state is stable in
-the whole sheet exactly if its tangent is positive on all four.
+the whole sheet if and only if its tangent is positive on all four.
 """
 
 from collections.abc import Callable, Collection
@@ -50,7 +50,7 @@ def classes(
 
     The number `softest` is the smallest mu of K v = mu (t^3 B) v with the tangent K and the bending
     matrix B of the flat state, which acts on the deflection: 1 - (tau_1/t)^2 for the flat state
-    itself, so that it compares a stiffness to the one that the flat state lacks.
+    itself, so that it measures a stiffness against the one that the flat state lacks.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def classes(
     kinds : collection of MirrorClass
         The classes, all four by default.
     eigenvalues : collection of MirrorClass
-        Those for which to compute `softest`; NaN for the others.
+        The classes for which `softest` is computed; it is NaN for the others.
 
     Raises
     ------
@@ -95,7 +95,7 @@ def _softest(
     bent: sparse.csr_array,
     solve: Callable[[Array], Array],
 ) -> float:
-    """Return the eigenvalue of K v = mu M v nearest to zero, M acting on the deflection only."""
+    """Return the eigenvalue of K v = mu M v nearest to zero; M acts on the deflection only."""
     from scipy.sparse.linalg import LinearOperator, eigsh
 
     size, deflections = tangent.shape[0], int(free[2].sum())

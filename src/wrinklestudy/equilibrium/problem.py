@@ -1,4 +1,4 @@
-"""The energy of the sheet over its free unknowns, as Newton's method sees it."""
+"""The energy of the sheet as a function of its free unknowns, as Newton's method sees it."""
 
 from typing import NamedTuple, Self
 
@@ -28,7 +28,7 @@ class PlateProblem:
     free : (3, size) array of bool
         The unknowns.
     position : (3, size) array
-        Its values at all other dofs are prescribed; with z = 0 it is the flat state of `shift`.
+        Gives the prescribed values of all other dofs; with z = 0 it is the flat state of `shift`.
     """
 
     def __init__(self, space: Space, section: Section, free: Mask, position: Array) -> None:
@@ -85,7 +85,7 @@ class PlateProblem:
         section: SectionDerivatives,
         of_tangent: SectionDerivatives,
     ) -> EnergyExpansion:
-        """Return energy, residual and tangent, the latter from a section of its own."""
+        """Return energy, residual and tangent; the tangent may come from another section."""
         assembler = self.assembler
         density = self.section.energy(surface.metric, surface.curvature)
         residual = assembler.residual(plate.gradient(surface, section))[assembler.free]
@@ -103,7 +103,7 @@ class PlateProblem:
         return self.assembler.residual(plate.gradient(surface, section))
 
     def shift(self) -> sparse.csr_array:
-        """Return t B on the deflection: it lifts all modes of the flat state by the same amount."""
+        """Return t B, acting on the deflection: it lifts all modes of the flat state alike."""
         if self._shift is None:
             space = self.assembler.space
             _, bent = plate.deflection(
@@ -127,13 +127,14 @@ class _Response(NamedTuple):
 
 
 class Predicting:
-    """A plate problem whose tangent has the stresses that the last step predicted.
+    """A plate problem whose tangent takes the stresses that the last step predicted.
 
-    The geometric part of the tangent takes force and moment from the state before, to first order
-    in the step, instead of from the displacements. In thin sheets a step that is right for the
-    wrinkles stretches the sheet at second order, and such false stresses, t^-2 times stiffer than
-    bending, ruin the next tangent. Energy and residual are the true ones, so that the equilibrium
-    is the same, and near it the tangent is too: the prediction is off by the square of the step.
+    The geometric part of the tangent takes force and moment from the state before the step, to
+    first order in the step, rather than from the displacements after it. In thin sheets a step that
+    is right for the wrinkles stretches the sheet at second order, and such false stresses, t^-2
+    times stiffer than bending, spoil the next tangent. Energy and residual stay exact, so that the
+    equilibrium is the same; near it so is the tangent, as the error of the prediction is of the
+    second order in the step.
 
     Source: Magisano, Leonetti and Garcea, Comput. Methods Appl. Mech. Engrg. 313, 986 (2017),
     Newton's method with mixed integration points.
@@ -141,7 +142,7 @@ class Predicting:
     Parameters
     ----------
     problem : PlateProblem
-        The exact one.
+        The exact problem.
     """
 
     def __init__(self, problem: PlateProblem) -> None:

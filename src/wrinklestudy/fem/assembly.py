@@ -1,9 +1,9 @@
 """Assembly of residuals and tangents by batched matrix products.
 
-A form is given by its point values: the gradient of the energy density with respect to the
-derivatives of each component, and the upper triangle of the Hessian. Element tangents B^T D B are
-one matrix product for each pair of components; a sparse matrix that is built once scatters them
-into the upper triangle of the global tangent.
+An energy enters through its values at points: the gradient of the density with respect to the
+derivatives of each component, and the upper triangle of the Hessian. The element tangents B^T D B
+are one matrix product per pair of components; a sparse matrix, built once, scatters them into the
+upper triangle of the global tangent.
 """
 
 from dataclasses import dataclass
@@ -26,9 +26,9 @@ class Assembler:
     space : Space
         The Hermite functions.
     free : (ncomp, size) array of bool
-        The unknowns; all other degrees of freedom are prescribed.
+        Marks the unknowns; all other degrees of freedom are prescribed.
     derivatives : int
-        How many of the derivatives x,1 x,2 x,11 x,22 x,12 the energy depends on: 5, or 2 for a
+        On how many of the derivatives x,1 x,2 x,11 x,22 x,12 the energy depends: 5, or 2 for a
         membrane.
     """
 
@@ -86,7 +86,7 @@ class Assembler:
 
     @cached_property
     def _weighted(self) -> Array:
-        """Room for the largest block of second derivatives, so that no call has to allocate it."""
+        """Memory for the largest block of second derivatives, allocated once for all calls."""
         return np.empty((len(self.entries(False)), *self.space.measure.shape))
 
     @cached_property
@@ -105,7 +105,7 @@ class Assembler:
             values.append((scale[left] * scale[right]).ravel())
         row, column = np.concatenate(rows), np.concatenate(columns)
         kept = np.flatnonzero(row >= 0)
-        # Sorted by row and then by column, entries that are added up stand side by side.
+        # Once sorted by row and then by column, entries to be added up lie side by side.
         kept = kept[_sorted_order(column[kept], self.size)]
         kept = kept[_sorted_order(row[kept], self.size)]
         row, column = row[kept], column[kept]
@@ -134,7 +134,7 @@ class Assembler:
         Returns
         -------
         (ncomp, size) array
-            With the reactions at the prescribed degrees of freedom.
+            At the prescribed degrees of freedom these are the reactions.
         """
         space = self.space
         count, components = gradient.shape[:2]
@@ -187,7 +187,7 @@ class Assembler:
 
 
 def shared_assembler(space: Space, free: Mask, derivatives: int = 5) -> Assembler:
-    """Return the assembler for some unknowns of a space, the same one at each call.
+    """Return the assembler for some unknowns of a space, the same object at each call.
 
     Its sparsity pattern and the ordering of its factorisation then serve all strains and all
     thicknesses that are solved on the space.

@@ -1,7 +1,7 @@
-"""Boundary conditions of the sheet: which mirrors it is solved with, and what its clamps hold.
+"""Boundary conditions of the sheet: the mirrors it is solved with, and what its clamps hold.
 
-Everything that depends on these choices is said here: free degrees of freedom, prescribed values,
-the force on the whole clamp, and the whole sheet from the part that is solved.
+Whatever depends on these choices is here: free degrees of freedom, prescribed values, the force on
+the whole clamp, and how the whole sheet follows from the part that is solved.
 """
 
 from dataclasses import dataclass
@@ -35,9 +35,9 @@ class Clamp:
     Parameters
     ----------
     ends : tuple of Edge
-        Edges of the grid that are clamped; the force is that on the last of them.
+        Edges of the grid that are clamped; the force is measured at the last of them.
     force_factor : float
-        Force on the whole end over the force on the part of it that belongs to the grid.
+        Force on the whole end, divided by the force on the part of it within the grid.
     """
 
     ends: tuple[Edge, ...] = ("right",)
@@ -54,7 +54,7 @@ class Clamp:
         )
 
     def position(self, space: "Space", strain: float) -> Array:
-        """Return x = (1 + eps) X, y = Y, z = 0 as a field (3, size), exact where dofs are held."""
+        """Return x = (1 + eps) X, y = Y, z = 0 as a field (3, size); the clamps prescribe it."""
         position = space.coordinates.copy()
         position[0] *= 1.0 + strain
         return position
@@ -82,7 +82,7 @@ class Symmetry:
     Parameters
     ----------
     odd_along : (bool, bool, bool) or None
-        Which of x, y, z change their sign under X -> -X; None without a mirror at X = 0.
+        Which of x, y, z change sign under X -> -X; None without a mirror at X = 0.
     odd_across : (bool, bool, bool) or None
         The same under Y -> -Y; None without a mirror at Y = 0.
     """
@@ -102,7 +102,7 @@ class Symmetry:
         Raises
         ------
         ValueError
-            If the parity has another name.
+            If there is no such parity.
         """
         if parity not in PARITIES:
             raise ValueError(f"parity = {parity!r}: must be one of {', '.join(PARITIES)}")
@@ -111,7 +111,7 @@ class Symmetry:
     def broken(self, keeps_x: bool, keeps_y: bool) -> "Symmetry":
         """Return the symmetry of perturbations that keep or break each mirror of the state.
 
-        Where they break it, all their parities across it are the opposite ones.
+        Across a mirror that they break, all parities are reversed.
         """
         return Symmetry(
             self.odd_along if keeps_x else _opposite(self.odd_along),

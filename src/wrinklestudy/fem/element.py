@@ -1,7 +1,7 @@
 """The Bogner-Fox-Schmit element: bicubic Hermite functions on axis-parallel rectangles.
 
 The basis is written in the coordinates of the cell. scikit-fem's own ``ElementQuadBFS`` (12.0)
-inverts a Vandermonde matrix of global monomials, which loses all digits on fine meshes.
+inverts a Vandermonde matrix of global monomials and loses all digits on fine meshes.
 """
 
 from typing import Any
@@ -14,8 +14,8 @@ from skfem.refdom import RefQuad
 
 from wrinklestudy.typing import Array
 
-# Corner of the reference square per vertex, in scikit-fem's order, and (x, y) derivative order per
-# dof.
+# Corner of the reference square of each vertex, in scikit-fem's order, and order of the x and y
+# derivatives of each dof.
 CORNERS = ((0, 0), (1, 0), (1, 1), (0, 1))
 ORDERS = ((0, 0), (1, 0), (0, 1), (1, 1))
 

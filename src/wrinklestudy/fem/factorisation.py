@@ -21,7 +21,7 @@ class NotPositiveDefiniteError(ArithmeticError):
 
 
 class Solver(Protocol):
-    """A factorisation of positive definite matrices, reused for those of one sparsity pattern."""
+    """Factorises positive definite matrices; the ordering serves all of one sparsity pattern."""
 
     def factorise(self, upper: sparse.csr_array) -> None:
         """Factorise a positive definite matrix.
@@ -37,7 +37,7 @@ class Solver(Protocol):
 
 
 class IndefiniteSolver(Protocol):
-    """A factorisation of symmetric matrices that need not be definite."""
+    """Factorises symmetric matrices that need not be definite."""
 
     negative_eigenvalues: int  # of the last factorised matrix, by Sylvester's law of inertia
 
@@ -56,7 +56,7 @@ def count_negative_eigenvalues(upper: sparse.csr_array) -> int:
 
 
 def make_indefinite_solver() -> IndefiniteSolver:
-    """Return L D L^T by PARDISO where pypardiso is installed, SuperLU elsewhere."""
+    """Return an L D L^T solver: PARDISO where pypardiso is installed, SuperLU elsewhere."""
     if importlib.util.find_spec("pypardiso") is not None:
         return PardisoIndefinite()
     return SuperLUIndefinite()
@@ -76,7 +76,7 @@ def symmetric(upper: sparse.csr_array) -> sparse.csr_array:
 
 
 def multiply(upper: sparse.csr_array, vector: Array) -> Array:
-    """Return the product of a symmetric matrix (its upper triangle is given) and a vector."""
+    """Return the product of a symmetric matrix, given by its upper triangle, and a vector."""
     product: Array = upper @ vector + upper.T @ vector
     diagonal = upper.diagonal()
     product -= (diagonal if vector.ndim == 1 else diagonal[:, None]) * vector
@@ -134,7 +134,7 @@ class PardisoSolver:
 
 
 class PardisoIndefinite:
-    """L D L^T by PARDISO of the matrix scaled to a unit diagonal, with a step of refinement."""
+    """L D L^T by PARDISO, on the matrix scaled to a unit diagonal, with one step of refinement."""
 
     def __init__(self) -> None:
         self.negative_eigenvalues = 0
@@ -192,16 +192,16 @@ def _call_pardiso(solver: Any, phase: int, upper: sparse.csr_array) -> None:
 def _new_pardiso(mtype: int) -> Any:
     """Return a PARDISO handle for symmetric matrices (2 positive definite, -2 indefinite)."""
     if "PYPARDISO_MKL_RT" not in os.environ:
-        # Without this pypardiso asks a compiler and then walks the whole environment.
+        # Otherwise pypardiso calls a compiler and then searches the whole environment.
         libraries = sorted(Path(sys.prefix, "lib").glob("libmkl_rt.so*"))
         if libraries:
             os.environ["PYPARDISO_MKL_RT"] = str(libraries[0])
     from pypardiso.pardiso_wrapper import PyPardisoSolver
 
     solver = PyPardisoSolver(mtype=mtype)
-    # No default values (1), METIS ordering (2), no refinement (8), pivots too small replaced by
-    # 1e-13 (10), no count of the fill-in (18), pivots of 1 x 1 and 2 x 2 (21), the classic
-    # factorisation (24), the matrix not checked (27).
+    # Own values (1), METIS ordering (2), no refinement (8), pivots that are too small replaced by
+    # 1e-13 (10), fill-in not counted (18), pivots of 1 x 1 and 2 x 2 (21), the classic
+    # factorisation (24), matrix not checked (27).
     for index, value in {1: 1, 2: 2, 8: 0, 10: 13, 18: 0, 21: 1, 24: 0, 27: 0}.items():
         solver.set_iparm(index, value)
     return solver
@@ -229,7 +229,7 @@ class SuperLUSolver:
 
 
 class SuperLUIndefinite:
-    """SuperLU with pivoting for the solution, without for the number of negative eigenvalues."""
+    """SuperLU: with pivoting to solve, without to count negative eigenvalues."""
 
     def __init__(self) -> None:
         self.negative_eigenvalues = 0

@@ -1,4 +1,4 @@
-"""The graded tensor grid on the quarter sheet."""
+"""The graded tensor grid of the quarter sheet."""
 
 import math
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ import numpy as np
 
 from wrinklestudy.typing import Array
 
-# Edges of a grid: first and last line of constant x, first and last line of constant y.
+# First and last line of constant x, first and last line of constant y.
 Edge = Literal["left", "right", "lower", "upper"]
 
 REFERENCE_ASPECT = 2.0

@@ -27,14 +27,14 @@ class Space:
     grid : Grid
         Grid lines in units of W.
     order : int
-        Degree of polynomials in each direction that the Gauss rule integrates exactly. Degree 5
-        (3 x 3 points) keeps the order of convergence; on the same mesh the amplitude of wrinkles
-        is nearer to its limit than with degree 7, which is a little too stiff.
+        Degree, in each direction, up to which the Gauss rule integrates polynomials exactly. Degree
+        5 (3 x 3 points) keeps the order of convergence, and on the same mesh brings the amplitude
+        of wrinkles nearer to its limit than degree 7, which is a little too stiff.
     """
 
     grid: Grid
     order: int = 5
-    # Assemblers by their unknowns, see `assembly.shared_assembler`; they live as long as the space.
+    # Assemblers by unknowns, see `assembly.shared_assembler`; they live as long as the space.
     shared: dict[tuple[bytes, int], Any] = field(default_factory=dict, init=False, repr=False)
 
     @cached_property
@@ -87,7 +87,7 @@ class Space:
 
     @cached_property
     def measure(self) -> Array:
-        """Area that belongs to each Gauss point, shape (nq, ne)."""
+        """Area that each Gauss point stands for, shape (nq, ne)."""
         _, weights = self.quadrature
         return np.outer(weights, self.cell_sizes.prod(axis=0))
 

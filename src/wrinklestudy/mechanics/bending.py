@@ -31,11 +31,11 @@ class BendingLaw(ABC):
     Attributes
     ----------
     name : str
-        As in files, in the config and on the command line.
+        Name in files, in the config and on the command line.
     label : str
         For figures and tables.
     meaning : str
-        In one line, for the help of the command line.
+        One line for the help of the command line.
     """
 
     name: ClassVar[str]
@@ -70,7 +70,7 @@ class BendingLaw(ABC):
 def _two_points_energy(
     law: Law, thickness: float, metric: Array, curvature: Array, stretch: Array | None
 ) -> Array:
-    """Return psi = t/2 [W(a - arm b) + W(a + arm b)], arm = t/sqrt(3), times a stretch if any."""
+    """Return psi = t/2 [W(a - arm b) + W(a + arm b)], arm = t/sqrt(3) times any stretch."""
     shift = thickness / math.sqrt(3.0) * curvature
     if stretch is not None:
         shift *= stretch
@@ -96,14 +96,14 @@ def _two_points(law: Law, thickness: float, metric: Array, shift: Array) -> _Two
 
 
 class FixedThicknessBending(BendingLaw):
-    """Kirchhoff-Love section with g(zeta) = a - 2 zeta b: the sheet keeps its thickness there.
+    """Kirchhoff-Love section with g(zeta) = a - 2 zeta b, in which the sheet keeps its thickness.
 
-    Two Gauss points at +- t/(2 sqrt 3) give the energy exact to t^3. Common in shell codes.
+    Two Gauss points at +- t/(2 sqrt 3) make the energy exact to t^3. Common in shell codes.
     """
 
     name = "fixed-thickness"
     label = "fixed thickness"
-    meaning = "the sheet bends with the thickness that it has at rest"
+    meaning = "the sheet bends with the thickness it has at rest"
 
     def energy(self, law: Law, thickness: float, metric: Array, curvature: Array) -> Array:
         """Return t/2 [W(g+) + W(g-)]."""
@@ -119,15 +119,15 @@ class FixedThicknessBending(BendingLaw):
 
 
 class ThinningBending(BendingLaw):
-    """Kirchhoff-Love section with g(zeta) = a - 2 zeta lambda3 b, lambda3 of the material law.
+    """Kirchhoff-Love section with g(zeta) = a - 2 zeta lambda3 b; the law gives lambda3.
 
     The bending stiffness falls as the sheet is stretched and thins. Two Gauss points at
-    +- t/(2 sqrt 3) give the energy exact to t^3.
+    +- t/(2 sqrt 3) make the energy exact to t^3.
     """
 
     name = "thinning"
     label = "thinning"
-    meaning = "the sheet bends with the thickness that stretching leaves"
+    meaning = "the sheet bends with the thickness to which stretching reduces it"
 
     def energy(self, law: Law, thickness: float, metric: Array, curvature: Array) -> Array:
         """Return t/2 [W(g+) + W(g-)]."""
@@ -160,10 +160,10 @@ class ThinningBending(BendingLaw):
 
 
 class FvkBending(BendingLaw):
-    """Quadratic energy of the second derivatives of the deflection with the initial modulus.
+    """Quadratic energy of the second derivatives of the deflection and the initial modulus.
 
-    As in the Foppl-von Karman equations, beside the full membrane energy. It is tied to the
-    direction z: the normal does not turn.
+    This is the bending energy of the Foppl-von Karman equations, added to the full membrane
+    energy. It is tied to the direction z, because the normal does not turn.
     """
 
     name = "fvk"
@@ -205,7 +205,7 @@ def _initial_stiffness(law: Law, thickness: float) -> Array:
     return stiffness * thickness**3 / (6.0 * (1.0 - nu))
 
 
-# The registry: all bending laws by name, in the order in which they are offered; first the default.
+# The registry: all bending laws by name, in the order in which they are offered; the default first.
 BENDING_LAWS: dict[str, BendingLaw] = {
     bending.name: bending for bending in (ThinningBending(), FixedThicknessBending(), FvkBending())
 }
@@ -217,7 +217,7 @@ def bending_law_of(name: str) -> BendingLaw:
     Raises
     ------
     ValueError
-        If there is none of that name.
+        If there is no bending law of that name.
     """
     if name not in BENDING_LAWS:
         raise ValueError(f"bending = {name!r}: must be one of {', '.join(BENDING_LAWS)}")

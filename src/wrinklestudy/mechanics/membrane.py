@@ -32,7 +32,7 @@ def gradient(stress: Array, derivatives: Array) -> Array:
     Parameters
     ----------
     stress : (3, ...) array
-        Its derivative with respect to the metric.
+        Derivative of that function with respect to the metric.
     derivatives : (2, 2, ...) array
         x,1 and x,2 of the in-plane position.
     """
@@ -41,7 +41,7 @@ def gradient(stress: Array, derivatives: Array) -> Array:
 
 
 def expansion(law: Law, derivatives: Array) -> tuple[Array, Array, list[Array]]:
-    """Return energy, gradient and Hessian of the sheet for each unit of thickness.
+    """Return energy, gradient and Hessian of the sheet per unit of thickness.
 
     Parameters
     ----------
@@ -61,10 +61,10 @@ def expansion(law: Law, derivatives: Array) -> tuple[Array, Array, list[Array]]:
     p, q = derivatives
     metric = _metric(derivatives)
     stress, stretching = law.derivatives(metric)
-    parts = ((2.0 * p, None), (None, 2.0 * q), (q, p))  # of da with respect to x,1 and x,2
+    variations = ((2.0 * p, None), (None, 2.0 * q), (q, p))  # da along dx,1 and dx,2
     stiff = np.zeros((3, 2, *p.shape))
     for k in range(3):
-        for m, directions in enumerate(parts):
+        for m, directions in enumerate(variations):
             for c, vector in enumerate(directions):
                 if vector is not None:
                     stiff[k, c] += stretching[k, m] * vector
@@ -75,7 +75,7 @@ def expansion(law: Law, derivatives: Array) -> tuple[Array, Array, list[Array]]:
         for a, b in entries:
             entry = np.zeros(p.shape[1:])
             for k in range(3):
-                vector = parts[k][a]
+                vector = variations[k][a]
                 if vector is not None:
                     entry += vector[i] * stiff[k, b, j]
             if i == j:

@@ -1,8 +1,9 @@
 """Kirchhoff-Love plate energy with finite membrane strain: density, gradient and Hessian.
 
 The mid-surface x(X, Y) has the metric a = (x,1.x,1, x,2.x,2, x,1.x,2) and the curvature
-b = (x,11.n, x,22.n, x,12.n). The energy psi(a, b) of the cross-section with its derivatives is that
-of `section`; here they become derivatives in x,1 x,2 x,11 x,22 x,12, exact and written by hand.
+b = (x,11.n, x,22.n, x,12.n). `section` gives the energy psi(a, b) of the cross-section and its
+derivatives; here they become derivatives with respect to x,1 x,2 x,11 x,22 x,12, exact and written
+by hand.
 """
 
 from typing import NamedTuple
@@ -17,7 +18,7 @@ from wrinklestudy.typing import Array
 
 
 def respond(section: Section, derivatives: Array) -> tuple[SurfaceGeometry, SectionDerivatives]:
-    """Return geometry, force, moment and their slopes from x,1 x,2 x,11 x,22 x,12 at points."""
+    """Return the geometry and the section's derivatives from x,1 x,2 x,11 x,22 x,12 at points."""
     surface = section.surface(derivatives)
     return surface, section.derivatives(surface.metric, surface.curvature)
 
@@ -77,8 +78,8 @@ def predict(
     return section.force + force, section.moment + moment
 
 
-class _Parts(NamedTuple):
-    """Vectors from which the entries of the Hessian are put together."""
+class _HessianVectors(NamedTuple):
+    """Vectors from which the entries of the Hessian are assembled."""
 
     metric: list[tuple[tuple[int, Array], ...]]  # da as (direction, vector) terms
     membrane: Array  # psi_aa da / d(x,c)_j, (3, 2, 3, ...)
@@ -86,7 +87,7 @@ class _Parts(NamedTuple):
     turn: Array  # turn[d, c, i] n_j + n_i turn[c, d, j] in the entry (x,c)_i (x,d)_j
 
 
-def _parts(surface: SurfaceGeometry, section: SectionDerivatives) -> _Parts:
+def _hessian_vectors(surface: SurfaceGeometry, section: SectionDerivatives) -> _HessianVectors:
     normal, gamma = surface.normal, surface.christoffel
     terms = _metric_variation(surface)
     membrane = np.zeros((3, *surface.tangents.shape))
@@ -111,7 +112,7 @@ def _parts(surface: SurfaceGeometry, section: SectionDerivatives) -> _Parts:
     for k in range(3):
         for c in range(2):
             twist[k, c] -= inner[c, k] * normal
-    return _Parts(terms, membrane, twist, turn)
+    return _HessianVectors(terms, membrane, twist, turn)
 
 
 def hessian(surface: SurfaceGeometry, section: SectionDerivatives) -> list[Array]:
@@ -126,7 +127,7 @@ def hessian(surface: SurfaceGeometry, section: SectionDerivatives) -> list[Array
         Pairs of components (0,0) (0,1) (0,2) (1,1) (1,2) (2,2); 15 rows (a <= b) for equal
         components, 25 rows for unequal ones.
     """
-    parts = _parts(surface, section)
+    parts = _hessian_vectors(surface, section)
     blocks = []
     for i in range(3):
         for j in range(i, 3):
@@ -141,7 +142,7 @@ def hessian(surface: SurfaceGeometry, section: SectionDerivatives) -> list[Array
 def _entry(
     surface: SurfaceGeometry,
     section: SectionDerivatives,
-    parts: _Parts,
+    parts: _HessianVectors,
     first: tuple[int, int],
     second: tuple[int, int],
     out: Array,
@@ -169,7 +170,7 @@ def _entry(
 
 
 def deflection(law: Law, bending: str, derivatives: Array) -> tuple[Array, Array]:
-    """Return the Hessians S and B of the energy of a small deflection of a flat, stretched sheet.
+    """Return the Hessians S and B for small deflections of a flat, stretched sheet.
 
     The energy of a deflection w on the flat state is t/2 w.S w + t^3/2 w.B w with S (stress) and B
     (bending) independent of t: S from psi_a w,a w,b and B from (t^3/3) lambda3^2 d2W/dg2 acting on

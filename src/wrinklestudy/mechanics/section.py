@@ -1,4 +1,4 @@
-"""The cross-section of a sheet: material law, thickness and bending law together."""
+"""The cross-section of a sheet: its material law, thickness and bending law."""
 
 from dataclasses import dataclass
 from functools import cached_property

@@ -1,4 +1,4 @@
-"""Geometry of the deformed mid-surface: what a bending law takes for metric and curvature."""
+"""Geometry of the deformed mid-surface: what a bending law takes as metric and curvature."""
 
 from typing import NamedTuple
 
@@ -48,9 +48,9 @@ def curved_surface(derivatives: Array) -> SurfaceGeometry:
 
 
 def shallow_surface(derivatives: Array) -> SurfaceGeometry:
-    """Return the geometry with the fixed normal z, which no deflection turns.
+    """Return the geometry with the normal fixed at z, whatever the deflection.
 
-    The curvature is then that of the deflection, z,11 z,22 z,12.
+    The curvature is then made of the second derivatives of the deflection, z,11 z,22 z,12.
     """
     first, second = derivatives[:2], derivatives[2:]
     metric = _metric(first)

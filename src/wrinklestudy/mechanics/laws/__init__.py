@@ -1,4 +1,4 @@
-"""Plane-stress hyperelastic laws as functions of the in-plane metric, and the registry of them.
+"""Hyperelastic laws in plane stress, as functions of the in-plane metric, and their registry.
 
 One file per law; `docs/recipes/law.md` says how to add one. Config, command line, fits, labels and
 files take names, constants and bounds from `LAWS`.

@@ -16,21 +16,21 @@ class Constant:
     Parameters
     ----------
     name : str
-        As in files, in Python and, with two dashes, on the command line.
+        Name in files, in Python and, after two dashes, on the command line.
     symbol : str
         Mathtext without dollar signs.
     unit : str
         'Pa', or '' for a pure number.
     meaning : str
-        In one line.
+        What it is, in one line.
     low, high : float
         Bounds; `high` itself is allowed, `low` itself unless `above` is set.
     above : bool
         Whether the constant must be greater than `low`.
     default : float, optional
-        Value if none is given; a constant without one is required.
+        Value if none is given; a constant without a default is required.
     fitted : bool
-        Whether a fit to data finds it; otherwise it stays at its default there.
+        Whether a fit to data determines it; otherwise a fit leaves it at its default.
     """
 
     name: str
@@ -69,28 +69,28 @@ class Constant:
 class Law(ABC):
     """An isotropic material in plane stress, in units of its initial shear modulus.
 
-    A law is made dimensionless so that only the shape of the energy is left: the ratio C01/C10 for
+    A law is dimensionless, so that only the shape of the energy remains: the ratio C01/C10 for
     Mooney-Rivlin, nothing for neo-Hookean, Poisson's ratio for Saint Venant-Kirchhoff. It is a
     function of the in-plane metric of shape ``(3, ...)`` with components (g11, g22, g12).
 
-    A class is a dataclass whose fields have the names of the constants, or it says with
-    `dimensionless` and `physical` how its fields follow from them.
+    A class is a dataclass. Its fields have the names of the constants, or else `dimensionless` and
+    `physical` convert between the two.
 
     Attributes
     ----------
     name : str
-        As in files, in the config and on the command line.
+        Name in files, in the config and on the command line.
     label, short_label : str
         For figures.
     constants : tuple of Constant
         Physical constants.
     linear : bool
-        Whether the energy is linear in the constants that a fit finds.
+        Whether the energy is linear in the constants that a fit determines.
     small_strain : bool
         Whether the law describes small strains only, so that it is fitted to the initial slope.
     starts : tuple of mappings
-        Of a law that is not linear: constants from which a fit starts, those in Pa in units of the
-        initial shear modulus. On the way each constant keeps the sign that it has there.
+        For a law that is not linear: the constants from which fits start, with those in Pa in units
+        of the initial shear modulus. During a fit each constant keeps the sign it starts with.
     """
 
     name: ClassVar[str]
@@ -129,7 +129,7 @@ class Law(ABC):
 
     @classmethod
     def dimensionless(cls, constants: Mapping[str, float], modulus: float) -> Self:
-        """Return the law from physical constants and the initial shear modulus that they give."""
+        """Return the law from physical constants and their initial shear modulus."""
         values = {
             constant.name: constants[constant.name] / (modulus if constant.unit == "Pa" else 1.0)
             for constant in cls.constants
@@ -145,20 +145,20 @@ class Law(ABC):
 
     @classmethod
     def check(cls, constants: Mapping[str, float]) -> None:
-        """Raise a ValueError of one line if constants are allowed alone but not together."""
+        """Raise a ValueError of one line if constants are allowed one by one but not together."""
         del constants  # most laws allow whatever is within the bounds
 
     @classmethod
     def canonical_order(cls, constants: Mapping[str, float]) -> tuple[str, ...]:
-        """Return which constant each takes its value from in the one form that fits give.
+        """Return from which constant each takes its value in the form that fits report.
 
-        For a law that stays the same when some of its constants change places.
+        This matters for a law that stays the same when some of its constants change places.
         """
         return tuple(constants)
 
     @classmethod
     def covers(cls, law: "Law") -> bool:
-        """Return whether a law is one of this class, or a special case of another that is."""
+        """Return whether a law belongs to this class, or is a special case of another that does."""
         return type(law) is cls
 
     @classmethod
@@ -168,7 +168,7 @@ class Law(ABC):
         Raises
         ------
         ValueError
-            If a constant is missing or unknown, or outside its bounds; one line that names it.
+            If a constant is missing, unknown or outside its bounds; one line that names it.
         """
         values = dict(constants)
         if unknown := values.keys() - {constant.name for constant in cls.constants}:
@@ -189,9 +189,9 @@ class Law(ABC):
 
     @classmethod
     def unit_laws(cls) -> "list[Law]":
-        """Return one law for each constant, which is 1 in it while all others are 0.
+        """Return one law per constant, in which that constant is 1 and all others are 0.
 
-        The energy of a linear law is the sum of theirs, each times its constant.
+        The energy of a linear law is the sum of their energies, each times its constant.
         """
         names = [constant.name for constant in cls.constants]
         return [cls(**{name: float(name == constant) for name in names}) for constant in names]
@@ -230,7 +230,7 @@ def register(law: AnyLaw) -> AnyLaw:
     Raises
     ------
     ValueError
-        If there is another law of that name.
+        If there is already a law of that name.
     """
     if LAWS.setdefault(law.name, law) is not law:
         raise ValueError(f"law {law.name!r}: there is one already")
@@ -253,7 +253,7 @@ def law_of(name: str) -> type[Law]:
 def describe(material: Material) -> dict[str, str | float]:
     """Return the law and its constants as plain values, pascals included.
 
-    A law that is a special case of another goes by the name that has fewer constants.
+    A law that is a special case of another is described by the one with fewer constants.
     """
     law = material.law
     kinds = [kind for kind in LAWS.values() if kind.covers(law)]
@@ -265,7 +265,7 @@ def describe(material: Material) -> dict[str, str | float]:
 
 
 def from_description(values: Mapping[str, Any]) -> Material:
-    """Return the material that `describe` described; other keys are ignored.
+    """Return the material of a description from `describe`; other keys are ignored.
 
     Raises
     ------

@@ -1,6 +1,6 @@
 """Incompressible isotropic laws in plane stress: functions of trace and determinant of the metric.
 
-The thickness follows from the metric, C33 = 1/det g, so that an isotropic energy is a function of
+The thickness follows from the metric, C33 = 1/det g, so that an isotropic energy depends on
 T = tr g and D = det g alone. A law gives that function and its derivatives with respect to T and D;
 here they become derivatives with respect to the components of the metric.
 """
@@ -41,7 +41,7 @@ class IncompressibleLaw(Law):
 
     @abstractmethod
     def density(self, trace: Array, det: Array) -> Array:
-        """Return W(T, D); real or complex, so that complex steps can check the slopes."""
+        """Return W(T, D), also of complex T and D, so that complex steps can check slopes."""
 
     @abstractmethod
     def slopes(self, trace: Array, det: Array) -> Slopes:

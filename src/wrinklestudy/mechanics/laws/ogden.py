@@ -7,7 +7,7 @@ is an analytic function of m and q:
 
     S = 2 m^s sum_k C(s, 2k) r^k,  r = q/m^2.
 
-Near r = 0 that series is summed, elsewhere the powers of a and b = D/a are taken.
+Near r = 0 this series is summed; elsewhere the powers of a and b = D/a are used.
 """
 
 from collections.abc import Mapping
@@ -21,11 +21,11 @@ from wrinklestudy.mechanics.laws.base import Constant, Material
 from wrinklestudy.mechanics.laws.incompressible import IncompressibleLaw, Slopes
 from wrinklestudy.typing import Array, Mask
 
-# The series is used where r = ((a - b)/(a + b))^2 is below: the differences of the other formulas
-# then lose no more than a digit, and the series needs few terms.
+# The series is used where r = ((a - b)/(a + b))^2 is below this: beyond it the differences in the
+# other formulas lose no more than a digit, and up to it the series needs few terms.
 _SMALL = 0.1
 _NEGLIGIBLE = 1e-18
-_TERMS = 120  # of which no exponent that is allowed needs more than 100
+_TERMS = 120  # no exponent that is allowed needs more than 100
 _LARGEST_EXPONENT = 50.0
 
 
@@ -56,13 +56,13 @@ class Ogden(IncompressibleLaw):
                 f"alpha{p}",
                 rf"\alpha_{p}",
                 "",
-                f"exponent of term {p}, not 0, of the sign of mu{p}",
+                f"exponent of term {p}: not 0, with the sign of mu{p}",
                 -_LARGEST_EXPONENT,
                 _LARGEST_EXPONENT,
             ),
         )
     )
-    # mu_p alpha_p / 2 is the part of a term in the initial shear modulus.
+    # mu_p alpha_p / 2 is what a term contributes to the initial shear modulus.
     starts = tuple(
         {
             "mu1": 2.0 * (1.0 - share) / first,
@@ -110,7 +110,7 @@ class Ogden(IncompressibleLaw):
 
     @classmethod
     def canonical_order(cls, constants: Mapping[str, float]) -> tuple[str, ...]:
-        """Return the order in which the term of the larger exponent comes first."""
+        """Return the order in which the term with the larger exponent comes first."""
         if constants["alpha1"] >= constants["alpha2"]:
             return "mu1", "alpha1", "mu2", "alpha2"
         return "mu2", "alpha2", "mu1", "alpha1"
@@ -191,7 +191,7 @@ def _power_sum_slopes(s: float, at: _Eigenvalues) -> tuple[Array, Array, Array, 
 
 @lru_cache(maxsize=256)
 def _binomials(s: float, first: int) -> Array:
-    """Return C(s, first), C(s, first + 2), ... as far as they matter in a series in r < _SMALL."""
+    """Return C(s, first), C(s, first + 2), ... as many as matter in a series in r < _SMALL."""
     n = np.arange(_TERMS)
     every = np.concatenate([[1.0], np.cumprod((s - n) / (n + 1.0))])[first::2]
     k = np.arange(len(every))

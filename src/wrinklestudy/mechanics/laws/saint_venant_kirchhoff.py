@@ -40,7 +40,7 @@ class SaintVenantKirchhoff(Law):
 
     @classmethod
     def dimensionless(cls, constants: Mapping[str, float], modulus: float) -> Self:  # noqa: ARG003
-        """Return the law, of which Poisson's ratio alone is left."""
+        """Return the law, which keeps nothing but Poisson's ratio."""
         return cls(constants["poisson"])
 
     def physical(self, modulus: float) -> dict[str, float]:
@@ -49,7 +49,7 @@ class SaintVenantKirchhoff(Law):
 
     def _stiffness(self) -> Array:
         nu = self.poisson
-        # E = (g - 1) / 2 brings a factor 1/4; g12 stands for two entries of E.
+        # E = (g - 1) / 2 brings a factor 1/4; g12 stands for two entries.
         full = np.array([[1.0, nu, 0.0], [nu, 1.0, 0.0], [0.0, 0.0, 2.0 * (1.0 - nu)]])
         return full / (2.0 * (1.0 - nu))
 
