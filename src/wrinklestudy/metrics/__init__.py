@@ -1,1 +1,1 @@
-"""From a shape to numbers: profiles across the sheet, the whole surface, laser scans."""
+"""From shapes to numbers: profiles across the sheet, the whole surface, scans."""

@@ -1,7 +1,7 @@
-"""Deformed sheets as bicubic Hermite fields on a tensor grid: evaluation, the whole from a part.
+"""Deformed sheets as bicubic Hermite fields on a tensor grid: evaluation and unfolding.
 
-The interpolant is the finite element function itself, so what is measured on it does not depend on
-where the nodes happen to lie (nodes alone miss a wrinkle's peak by up to 8%).
+The interpolant is the finite element function itself, so that what is measured on it does not
+depend on where the nodes lie (the nodes alone miss a wrinkle's peak by up to 8%).
 """
 
 from dataclasses import dataclass, replace
@@ -32,7 +32,7 @@ class DeformedSheet:
     symmetry: Symmetry
 
     def unfolded(self) -> "DeformedSheet":
-        """Return the whole sheet, which has no mirrors left."""
+        """Return the whole sheet, without mirrors."""
         y, nodes = self.symmetry.unfold_across(self.grid.y, self.nodes)
         x, nodes = self.symmetry.unfold_along(self.grid.x, nodes)
         return DeformedSheet(Grid(x, y), nodes, NO_MIRRORS)
@@ -66,9 +66,9 @@ def evaluate(grid: Grid, nodes: Array, x: Array, y: Array, dx: int = 0, dy: int 
     -------
     ndarray, shape (..., m, n)
     """
-    from scipy.interpolate import CubicHermiteSpline  # here for the time that it takes
+    from scipy.interpolate import CubicHermiteSpline  # imported here because it takes time
 
-    # A tensor product: the values and the Y-slopes are each cubic Hermite along X first.
+    # A tensor product: first values and Y-slopes, each cubic Hermite along X.
     along = CubicHermiteSpline(
         grid.x, nodes[..., [0, 2], :, :], nodes[..., [1, 3], :, :], axis=nodes.ndim - 2
     )(x, dx)

@@ -1,10 +1,10 @@
 """Amplitude, wavelength, arc width and confinement of a profile.
 
-Definitions of Panaitescu et al., PRE 100, 053003 (2019): A is the largest deflection, lambda the
-"distance between neighboring central peaks", W_act the arc length across the sheet, W_proj its
+Defined as by Panaitescu et al., PRE 100, 053003 (2019): A is the largest deflection, lambda the
+distance from one central peak to the next, W_act the arc length across the sheet, W_proj its
 projection, Phi^2 = (W_act - W_proj)/W_proj and C = A/(lambda Phi) (their equation A = C lambda Phi;
-a sinusoid of small slope has C = 1/pi). The paper does not say over which width Phi^2 is averaged:
-both the full width and the central wrinkle alone are returned.
+a sinusoid of small slope has C = 1/pi). The paper does not say over which width Phi^2 is averaged,
+so that both averages are returned: over the full width and over the central wrinkle alone.
 """
 
 from dataclasses import dataclass, field
@@ -19,9 +19,9 @@ from wrinklestudy.typing import Array
 if TYPE_CHECKING:
     from scipy.interpolate import CubicSpline
 
-# An extremum counts if it stands out by this part of the range of z: ripples of noise do not.
+# An extremum counts if it stands out by this fraction of the range of z; ripples of noise do not.
 PROMINENCE = 0.1
-# A profile whose largest deflection is below this part of its width is flat.
+# A profile whose largest deflection is below this fraction of its width is flat.
 FLAT = 1e-9
 
 _GAUSS_POINTS, _GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(4)
@@ -29,7 +29,7 @@ _GAUSS_POINTS, _GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(4)
 
 @dataclass(frozen=True)
 class Measures:
-    """What is measured on a profile, lengths in the unit of the profile.
+    """What is measured on a profile; lengths have the unit of the profile.
 
     Parameters
     ----------
@@ -37,10 +37,10 @@ class Measures:
         A, largest absolute deflection; 0 if flat.
     wavelength : float
         lambda, distance between the two neighbouring peaks, or troughs, nearest the centre; NaN if
-        there are no two.
+        there are fewer than two.
     wavelength_zero : float
-        Distance between the two neighbouring zero crossings of like direction nearest the centre;
-        NaN if there are none.
+        Distance between the two neighbouring zero crossings in the same direction nearest the
+        centre; NaN if there are none.
     arc_width, projected_width : float
         W_act and W_proj across the full width.
     phi_squared : float
@@ -48,7 +48,7 @@ class Measures:
     phi_squared_central : float
         The same over one wavelength around the centre; NaN without a wavelength, 0 if flat.
     shape_constant, shape_constant_central : float
-        C = A/(lambda Phi) with either of the two; NaN without a wavelength.
+        C = A/(lambda Phi) with either average; NaN without a wavelength.
     extrema : ndarray, shape (k,)
         Where the peaks and troughs are, in increasing y.
     """
@@ -82,7 +82,7 @@ def measure(profile: Profile) -> Measures:
     -------
     Measures
     """
-    from scipy.interpolate import CubicSpline  # here because it takes half a second to import
+    from scipy.interpolate import CubicSpline  # imported here because it takes half a second
 
     y, z = profile.y, profile.z
     width = float(y[-1] - y[0])
@@ -121,7 +121,7 @@ def measure_sheet(sheet: DeformedSheet) -> Measures:
 
 
 def prominent(heights: Array, threshold: float) -> list[int]:
-    """Return which of the alternating heights remain when small up-and-downs are ironed out.
+    """Return which of the alternating heights remain when small ups and downs are ironed out.
 
     As long as two neighbours differ by less than the threshold, the closest two are
     removed together, which leaves the sequence alternating; the two ends always stay.
@@ -156,7 +156,7 @@ def _roots(curve: object) -> Array:
 
 
 def _crossings(curve: "CubicSpline", extrema: Array, levels: Array) -> Array:
-    """Return one zero crossing between each two neighbouring extrema of opposite sign."""
+    """Return a zero crossing between any two neighbouring extrema of opposite sign."""
     roots = _roots(curve)
     crossings = []
     for k in range(len(extrema) - 1):
@@ -169,7 +169,7 @@ def _crossings(curve: "CubicSpline", extrema: Array, levels: Array) -> Array:
 
 
 def _spacing(positions: Array, centre: float) -> float:
-    """Return the distance of the next-but-one neighbours whose midpoint is nearest the centre.
+    """Return the distance between the next-but-one neighbours whose midpoint is nearest the centre.
 
     Kinds (peak and trough, up and down) alternate, so that next-but-one neighbours are alike.
     """

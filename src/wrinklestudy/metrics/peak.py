@@ -9,10 +9,10 @@ from wrinklestudy.typing import Array
 def peak(strain: ArrayLike, value: ArrayLike) -> tuple[float, float]:
     """Return strain and height of the maximum of a curve, between its samples.
 
-    The maximum of the parabola through the largest sample and its two neighbours, which lies
-    between these neighbours. A sample that is NaN (a state that did not converge) beside the
-    largest one leaves the maximum unknown. A largest sample at either end is returned as it is: the
-    maximum may lie beyond it.
+    This is the maximum of the parabola through the largest sample and its two neighbours; it lies
+    between them. If a sample beside the largest is NaN (a state that did not converge), the maximum
+    is unknown. If the largest sample is the first or the last, it is returned as it is, although
+    the maximum may lie beyond it.
 
     Parameters
     ----------
@@ -24,9 +24,9 @@ def peak(strain: ArrayLike, value: ArrayLike) -> tuple[float, float]:
     Returns
     -------
     strain_at_max : float
-        NaN if no sample is above zero: the curve has no peak; NaN if it is unknown.
+        NaN if no sample is above zero, so that the curve has no peak, or if the peak is unknown.
     max : float
-        0 if no sample is above zero, NaN if it is unknown or there is no sample at all.
+        0 if no sample is above zero; NaN if the peak is unknown or there are no samples.
 
     Raises
     ------
@@ -40,7 +40,7 @@ def peak(strain: ArrayLike, value: ArrayLike) -> tuple[float, float]:
     """
     x, y = np.asarray(strain, dtype=np.float64), np.asarray(value, dtype=np.float64)
     if x.shape != y.shape or x.ndim != 1:
-        raise ValueError(f"strain {x.shape} and value {y.shape}: must be two columns of one length")
+        raise ValueError(f"strain {x.shape} and value {y.shape}: must be two columns alike")
     order = np.argsort(x)
     x, y = x[order], y[order]
     if (np.diff(x) == 0.0).any():

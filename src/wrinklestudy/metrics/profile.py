@@ -11,7 +11,7 @@ from wrinklestudy.typing import Array
 SAMPLES_PER_CELL = 64
 LEAST_POINTS = 8
 
-# Penalties of the smoothing spline that are tried, points at unit spacing.
+# Penalties of the smoothing spline that are tried, for points at unit spacing.
 _PENALTIES = tuple(10.0 ** (0.5 * k) for k in range(-2, 20))
 
 
@@ -34,7 +34,7 @@ class Profile:
     x: Array | None = None
 
     def __post_init__(self) -> None:
-        """Refuse what has no width.
+        """Refuse what is no cross-section.
 
         Raises
         ------
@@ -86,10 +86,10 @@ def profile_from_state(
 def cleaned(profile: Profile, samples: int = 4096) -> Profile:
     """Return a scanned profile without noise, offset and tilt, densely sampled.
 
-    The noise is removed by a cubic smoothing spline, without which the arc length would be that of
-    the noise; how much is smoothed follows from the noise of the points (`noise_level`). Offset and
-    tilt, which the set-up of a scanner leaves, are removed as the least-squares straight line
-    through the smooth profile. A computed state needs none of it: its clamps lie at z = 0.
+    A cubic smoothing spline removes the noise, which would otherwise dominate the arc length; how
+    strongly it smooths follows from the noise of the points (`noise_level`). Offset and tilt, which
+    come from setting up the scanner, are removed as the least-squares line through the smooth
+    profile. A computed state needs none of this: its clamps lie at z = 0.
 
     Parameters
     ----------
@@ -114,8 +114,8 @@ def cleaned(profile: Profile, samples: int = 4096) -> Profile:
 def noise_level(profile: Profile) -> float:
     """Return the standard deviation of the noise of single points.
 
-    Each inner point is compared with the straight line between its neighbours, which is free
-    of the wrinkle as long as there are many points per wavelength (Gasser, Sroka and
+    Each inner point is compared with the straight line between its neighbours, which removes the
+    wrinkle as long as there are many points per wavelength (Gasser, Sroka and
     Jennen-Steinmetz, Biometrika 73, 625, 1986).
 
     Parameters
@@ -142,7 +142,7 @@ def _smooth(profile: Profile, noise: float) -> Callable[[Array], Array]:
     of unit spacing it damps the wave number k by 1/(1 + p k^4), p the penalty; the integral of that
     over k gives tr(S) = n p^(-1/4) / (2 sqrt 2), besides the 2 of the straight line.
     """
-    from scipy.interpolate import make_smoothing_spline  # here for the time that it takes
+    from scipy.interpolate import make_smoothing_spline  # imported here because it takes time
 
     count = len(profile.y)
     spacing = (profile.y[-1] - profile.y[0]) / (count - 1)

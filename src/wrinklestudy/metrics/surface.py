@@ -51,8 +51,8 @@ class SampledSurface:
 def sheet_peak(sheet: DeformedSheet) -> SheetPeak:
     """Return the largest |z| of the interpolant over the sheet.
 
-    A state whose largest deflection is not near x = 0 is a warning: a flap at the corner where
-    clamp and free edge meet is no wrinkle.
+    If the largest deflection is not near x = 0, take care: a flap at the corner where clamp and
+    free edge meet is no wrinkle.
     """
     grid, deflection = sheet.grid, sheet.nodes[2]
     x = subdivided(grid.x, _SAMPLES_PER_CELL)

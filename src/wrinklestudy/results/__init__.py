@@ -1,1 +1,1 @@
-"""Files, cases, paths and tables: what a study keeps, and how it is read back."""
+"""Cases, paths, files and tables: what a study keeps, and how it is read back."""

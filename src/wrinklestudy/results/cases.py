@@ -1,4 +1,4 @@
-"""Cases of a study, and the only place that turns numbers into file names and back.
+"""The cases of a study, and the one place that turns numbers into file names and back.
 
 A case is one sheet at one strain. Numbers in file names have one fixed format, so that equal
 numbers give the same file: `format_value` and `parse_value`.
@@ -54,7 +54,7 @@ def parse_value(text: str) -> float:
 
 
 def canonical(value: float) -> float:
-    """Return the number that stands in file names for ``value``: 0.1 + 0.2 becomes 0.3."""
+    """Return ``value`` as it is read back from a file name: 0.1 + 0.2 becomes 0.3."""
     return parse_value(format_value(value))
 
 
@@ -64,8 +64,8 @@ def strain_range(start: float, stop: float, step: float) -> tuple[float, ...]:
     Raises
     ------
     ValueError
-        If the step is not positive, stop lies before start or a whole number of steps does not
-        lead to it.
+        If the step is not positive, or stop lies before start or not a whole number of steps
+        after it.
     """
     first, last, width = (Decimal(format_value(value)) for value in (start, stop, step))
     if width <= 0 or last < first:
@@ -83,8 +83,8 @@ def strain_range(start: float, stop: float, step: float) -> tuple[float, ...]:
 def resolved_thickness(thickness: float) -> float:
     """Return the design thickness t/W of the mesh that serves a sheet.
 
-    The largest value of the series 1e-3, 5e-4, 2.5e-4, ... that is not above ``thickness``;
-    1e-3 for every thicker sheet.
+    This is the largest of 1e-3, 5e-4, 2.5e-4, ... that is not above ``thickness``; it is 1e-3 for
+    all thicker sheets.
 
     Raises
     ------
@@ -132,12 +132,12 @@ class Case:
 def cases(
     series: Iterable[tuple[str, Sequence[float], Sequence[float], Sequence[float]]],
 ) -> tuple[Case, ...]:
-    """Return the cases of all series, each once, sorted.
+    """Return the cases of all series, sorted and without repetitions.
 
     Parameters
     ----------
     series : iterable
-        (material, aspects, thicknesses, strains); a series stands for all their combinations.
+        (material, aspects, thicknesses, strains); a series means all combinations of them.
     """
     return tuple(
         sorted(

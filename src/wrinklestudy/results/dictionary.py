@@ -1,4 +1,4 @@
-"""The data dictionary: what stands in each column, as a page of the docs.
+"""The data dictionary: what each column holds, as a page of the docs.
 
 ``python -m wrinklestudy.results.dictionary docs/columns.md`` writes it from the row types.
 """
@@ -20,7 +20,7 @@ the length and t the thickness of the undeformed sheet; mu is the initial shear 
 along the pull, y across, both from the centre: x = 0 is the line half-way between the clamps.
 
 The tables are CSV files with one header line, sorted by the columns marked *key*. Numbers have all
-their digits. Where a cell may be empty, there is no such number: a flat state has no wavelength, a
+their digits. An empty cell means that there is no such number: a flat state has no wavelength, a
 state that did not converge has no measures, a sheet that never wrinkles has no birth strain.
 """
 
@@ -28,10 +28,11 @@ _STATES = """
 ## States
 
 `results/metrics/{material}/aspect{aspect}_thickness{thickness}.csv` (one sheet) and
-`results/summary/states.csv` (all), one row per state. Columns marked *file* are attributes of the
-wrinkle file of the state too, with NaN for no number; where a state did not converge, those are the
-numbers of the last iterate. Columns marked *json* are what `wrinklestudy solve --json` and
-`State.as_dict()` give, with `seconds`, the wall time of the solve, beside them.
+`results/summary/states.csv` (all), one row per state. Columns marked *file* are also
+attributes of the wrinkle file of the state, with NaN where there is no number; for a state that did
+not converge these are the numbers of the last iterate. Columns marked *json* are what
+`wrinklestudy solve --json` and `State.as_dict()` give, together with `seconds`, the wall time of
+the solve.
 """
 
 _STABILITY = """
@@ -44,8 +45,8 @@ same keys, among others.
 _PEAKS = """
 ## Peaks
 
-`results/summary/peaks.csv`, one row per sheet. A maximum is that of a smooth curve through the
-states, birth and decay, so that it lies between them; it is not known where a state beside it did
+`results/summary/peaks.csv`, one row per sheet. A maximum is taken from a smooth curve through
+the states, birth and decay, so that it may lie between them; it is unknown if a state beside it did
 not converge.
 """
 

@@ -1,4 +1,4 @@
-"""HDF5 files of flat and wrinkled states; fields are in the layout of the grid."""
+"""HDF5 files of flat and wrinkled states, with fields in the layout of the grid."""
 
 import math
 from collections.abc import Mapping
@@ -42,7 +42,7 @@ def write_planar(planar: Planar, output: Path | str) -> None:
             "position": flat.space.nodes_from_field(flat.position),
             "history": np.array(flat.history),
             "modes/squared_thickness": modes.squared,
-            # seeds need no more than single precision
+            # single precision is enough for seeds
             "modes/shapes": flat.space.nodes_from_field(modes.shapes).astype(np.float32),
             "modes/corner": modes.corner,
             "modes/quartic": modes.quartic,
@@ -91,7 +91,7 @@ def read_planar(path: Path | str) -> Planar:
 def state_row(state: Equilibrium) -> StateRow:
     """Return the row of a state without what is measured on its shape.
 
-    Where it did not converge, the numbers are those of the last iterate.
+    If it did not converge, the numbers are those of the last iterate.
     """
     planar = state.planar
     flat, modes = planar.flat, planar.modes
@@ -128,8 +128,8 @@ def state_row(state: Equilibrium) -> StateRow:
 def write_wrinkle(state: Equilibrium, output: Path | str) -> None:
     """Write a state as an HDF5 file; the position is in the layout of the grid.
 
-    The attributes are the columns of its row that are not measured on the shape, NaN where there is
-    no number, and what else tells the material and the solve.
+    The attributes are the columns of its row that are not measured on the shape, with NaN where
+    there is no number, and whatever else describes the material and the solve.
     """
     planar = state.planar
     datasets: dict[str, Any] = {"grid/x": planar.grid.x, "grid/y": planar.grid.y}
@@ -169,7 +169,7 @@ def _attributes() -> list[str]:
 
 
 def deformed_sheet(row: StateRow, datasets: Mapping[str, Any]) -> DeformedSheet:
-    """Return the sheet of a wrinkle file with its grid and mirrors, from what `read_wrinkle` gives.
+    """Return the sheet of a wrinkle file, with grid and mirrors, from what `read_wrinkle` gives.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Sheets with their states, read from the tables of a study or from those of single sheets."""
+"""Sheets with their states, read from the tables of a study or of single sheets."""
 
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
@@ -26,8 +26,8 @@ def load_study(states: AnyPath, stability: AnyPath, peaks: AnyPath) -> list[Shee
     Raises
     ------
     ValueError
-        If a column is missing, a cell is not what its column allows, or a sheet does not stand in
-        all three tables; one line that names the file.
+        If a column is missing, a cell is not what its column allows, or a sheet is missing
+        from one of the three tables; one line that names the file.
     """
     grouped = by_sheet(read_states(states))
     sheets = []
@@ -43,7 +43,7 @@ def load_study(states: AnyPath, stability: AnyPath, peaks: AnyPath) -> list[Shee
 def load_sheets(metrics: Sequence[AnyPath], stability: Sequence[AnyPath]) -> list[SheetStates]:
     """Return the sheets of some tables of the metrics stage, in their order.
 
-    What a sheet reaches over strain is found as the summary stage finds it.
+    What a sheet reaches over strain is determined as in the summary stage.
 
     Parameters
     ----------
@@ -84,7 +84,7 @@ def read_limits(path: AnyPath) -> StabilityRow:
 
 
 def by_sheet(states: Iterable[StateRow]) -> dict[tuple[Any, ...], tuple[StateRow, ...]]:
-    """Return the states of each sheet by strain, sheets in the order in which they come."""
+    """Return the states of each sheet by strain, with the sheets in the order given."""
     grouped: dict[tuple[Any, ...], list[StateRow]] = defaultdict(list)
     for row in states:
         grouped[row.sheet_key].append(row)

@@ -1,4 +1,4 @@
-"""Files of the material stage, read back."""
+"""Reading the files of the material stage."""
 
 from pathlib import Path
 
@@ -10,7 +10,7 @@ from wrinklestudy.mechanics.laws import Material, law_of
 
 
 def load_fit(path: str | Path) -> Fit:
-    """Read a material file written by `run`.
+    """Read a file of the material stage.
 
     Raises
     ------
@@ -47,7 +47,7 @@ def load_fit(path: str | Path) -> Fit:
 
 
 def load_material(path: str | Path) -> Material:
-    """Return the material of a file written by `run`.
+    """Return the material of a file of the material stage.
 
     Raises
     ------

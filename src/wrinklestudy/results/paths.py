@@ -1,4 +1,4 @@
-"""The stages of a study and the paths of their files: the only place that makes them."""
+"""The stages of a study and the paths of their files, which are made nowhere else."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -15,9 +15,9 @@ class Stage:
     ----------
     outputs : mapping
         Name of each output file in the rule, and its path below the folder of the stage. The
-        wildcards say what there is one job for; logs and run times lie under the name of the first.
+        wildcards say what each job is for; logs and run times are named after the first output.
     wanted : bool
-        Whether a study is run for these files; other stages are made on the way.
+        Whether a study is run for these files; others are only needed on the way to them.
     """
 
     outputs: Mapping[str, str]
@@ -27,8 +27,8 @@ class Stage:
 _SHEET = "{material}/aspect{aspect}_thickness{thickness}"
 _FLAT = "{material}/aspect{aspect}_resolves{resolved}"
 
-# In the order in which they run. A stage has its module in `wrinklestudy.stages` and its rule in
-# workflow/rules under the same name. The gate comes last: a study that has its file is finished.
+# In the order in which they run. The module of a stage in `wrinklestudy.stages` and its rule in
+# workflow/rules have the same name. The gate comes last: a study that has its file is finished.
 STAGES: Mapping[str, Stage] = {
     "material": Stage({"fit": "{material}.json"}),
     "mesh": Stage({"mesh": "aspect{aspect}_resolves{resolved}.vtu"}),
@@ -54,7 +54,7 @@ class Paths:
     Parameters
     ----------
     results : str
-        Folder of the results: a folder for each stage in it, and those of logs and run times.
+        Folder of the results, with a folder for each stage, one for logs and one for run times.
     figures : str
         Folder of the figures.
     """
@@ -96,7 +96,7 @@ class Paths:
 
 
 def filled(pattern: str, wildcards: Mapping[str, str | float]) -> str:
-    """Return a path with values for its wildcards: names as they are, numbers in the one format."""
+    """Return a path with its wildcards filled in, names as they are, numbers as in file names."""
     texts = {
         name: value if isinstance(value, str) else format_value(value)
         for name, value in wildcards.items()

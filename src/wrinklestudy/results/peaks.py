@@ -1,4 +1,4 @@
-"""What a sheet reaches over strain: from its limits and its states to its row."""
+"""What a sheet reaches over strain: its row, from its limits and its states."""
 
 import math
 from collections import Counter
@@ -17,10 +17,10 @@ _NAN = math.nan
 def sheet_row(limits: StabilityRow, states: Sequence[StateRow]) -> SheetRow:
     """Return the row of a sheet.
 
-    (A/t)^2 and Phi^2 are smooth functions of the strain that vanish at birth and decay: the maxima
-    are those of parabolas (`metrics.peak`), with birth and decay among the samples, and not known
-    where a state beside them did not converge. The wavelength at the peak is linear between the
-    states.
+    (A/t)^2 and Phi^2 are smooth functions of the strain that vanish at birth and decay. Their
+    maxima are those of parabolas (`metrics.peak`), with birth and decay among the samples; they are
+    unknown if a state beside them did not converge. The wavelength at the
+    peak is interpolated linearly.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def _peak(strain: Array, value: Array, ends: Sequence[float]) -> tuple[float, fl
     """Return where the largest value is and how large, with birth and decay as further samples."""
     zeros = [end for end in ends if end not in strain]
     if zeros and not np.isfinite(value).any():
-        return _NAN, _NAN  # it wrinkles between two strains of the study: nothing was measured
+        return _NAN, _NAN  # it wrinkles between two strains of the study only
     if not len(strain):
         return _NAN, 0.0
     return peak(np.append(strain, zeros), np.append(value, np.zeros(len(zeros))))

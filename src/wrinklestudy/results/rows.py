@@ -2,7 +2,7 @@
 
 Everything that lists columns follows from `StateRow` and `SheetRow`: the CSV tables, the attributes
 of wrinkle files, ``solve --json``, the data dictionary, the arrays of figures and claims. None
-stands for a number that does not exist, such as the wavelength of a flat sheet.
+means that a number does not exist, such as the wavelength of a flat sheet.
 """
 
 import math
@@ -20,7 +20,7 @@ from wrinklestudy.vocabulary import STATUSES, Status
 
 @dataclass(frozen=True)
 class Column:
-    """What a row knows of one of its fields.
+    """What is known about one field of a row.
 
     Parameters
     ----------
@@ -35,7 +35,7 @@ class Column:
     unit : str
         Empty for texts, counts and ratios.
     identifies : bool
-        Whether it belongs to the case: no two rows agree in all of these.
+        Whether it identifies the case: no two rows agree in all such columns.
     measured : bool
         Whether it is measured on the shape. All other columns of a state are attributes of its
         wrinkle file.
@@ -44,7 +44,7 @@ class Column:
     shown : bool
         Whether ``solve --json`` shows it.
     allowed : tuple of str
-        The texts that may stand there; empty if any may.
+        The texts that are allowed; empty if any is.
     """
 
     name: str
@@ -60,13 +60,13 @@ class Column:
 
 
 def _column(description: str, unit: str = "", **flags: bool | tuple[str, ...]) -> Any:
-    """Return a dataclass field with what `Column` says of it besides name and kind."""
+    """Return a dataclass field with what `Column` says about it besides name and kind."""
     return field(metadata={"description": description, "unit": unit, **flags})
 
 
 @dataclass(frozen=True)
 class SheetIdentity:
-    """What tells one sheet of a study from the others."""
+    """What tells a sheet of a study from the others."""
 
     material: str = _column("name of the material, or of a variant of one", identifies=True)
     law: str = _column("law of the strain energy", identifies=True)
@@ -85,7 +85,7 @@ class SheetIdentity:
 
     @property
     def key(self) -> tuple[Any, ...]:
-        """What identifies the row among those of its table, which are sorted by it."""
+        """What identifies the row in its table, which is sorted by it."""
         own = columns(type(self)).values()
         return tuple(getattr(self, column.name) for column in own if column.identifies)
 
@@ -95,14 +95,14 @@ class StateRow(SheetIdentity):
     """A state: one sheet at one strain."""
 
     strain: float = _column("eps = (L' - L)/L of the clamps", identifies=True, shown=True)
-    status: Status = _column(  # noqa: RUF009, a field with metadata as all the others
+    status: Status = _column(  # noqa: RUF009 (a field with metadata, like all the others)
         "wrinkled, flat or not-converged", allowed=STATUSES, shown=True
     )
     amplitude_over_thickness: float | None = _column(
         "A/t, largest |z| on x = 0; 0 if flat", measured=True, shown=True
     )
     wavelength_over_width: float | None = _column(
-        "lambda/W, distance of the neighbouring like-signed central peaks",
+        "lambda/W, distance of the two central peaks of the same sign",
         measured=True,
         shown=True,
     )
@@ -151,22 +151,22 @@ class StateRow(SheetIdentity):
     )
     newton_iterations: int = _column("Newton iterations of the solve", shown=True)
     residual: float | None = _column(
-        "last Newton decrement of the solve, in parts of the energy", shown=True
+        "last Newton decrement of the solve, as a fraction of the energy", shown=True
     )
     cells_along: int = _column("cells of the quarter along the pull")
     cells_across: int = _column("cells of the quarter across")
-    reason: str = _column("why it did not converge, else empty", shown=True)
+    reason: str = _column("why it did not converge; empty if it did", shown=True)
 
 
 @dataclass(frozen=True)
 class StabilityRow(SheetIdentity):
-    """Where the flat sheet is unstable: the part of a sheet's row that needs no states."""
+    """Where the flat sheet is unstable: what is known of a sheet without its states."""
 
     birth_strain: float | None = _column(
         "strain at which the flat sheet becomes unstable; empty if it never does"
     )
     decay_strain: float | None = _column(
-        "strain at which it becomes stable again; empty if not in the range"
+        "strain at which it becomes stable again; empty if beyond the range"
     )
     max_critical_thickness: float | None = _column("largest tau_1/W over strain")
     strain_at_max: float | None = _column("strain of the largest tau_1")
@@ -177,16 +177,16 @@ class SheetRow(StabilityRow):
     """A sheet: where it is unstable and what its states reach over strain."""
 
     max_amplitude_over_thickness: float | None = _column(
-        "largest A/t over strain; 0 if the sheet never wrinkles, empty if not known"
+        "largest A/t over strain; 0 if the sheet never wrinkles, empty if unknown"
     )
     strain_at_max_amplitude: float | None = _column(
-        "strain of the largest A/t; empty if there is none or it is not known"
+        "strain of the largest A/t; empty if there is none or it is unknown"
     )
     max_phi_squared: float | None = _column(
-        "largest Phi^2 (full width) over strain; 0 if the sheet never wrinkles, empty if not known"
+        "largest Phi^2 (full width) over strain; 0 if the sheet never wrinkles, empty if unknown"
     )
     strain_at_max_phi_squared: float | None = _column(
-        "strain of the largest Phi^2; empty if there is none or it is not known"
+        "strain of the largest Phi^2; empty if there is none or it is unknown"
     )
     wavelength_over_width_at_max_amplitude: float | None = _column("lambda/W where A/t is largest")
     min_wavelength_over_width: float | None = _column("smallest lambda/W of the wrinkled states")
@@ -218,14 +218,14 @@ def _columns(kind: type[Any]) -> Mapping[str, Column]:
 
 
 def make_row(kind: type[RowType], values: Mapping[str, Any], where: str, what: str) -> RowType:
-    """Return a row from values that come from a file, each checked; other values are left alone.
+    """Return a row from values read from a file, each checked; other values are ignored.
 
     Parameters
     ----------
     kind : type
-        Which row.
+        The type of the row.
     values : mapping
-        By the names of its columns; NaN counts as no number.
+        By name of column; NaN counts as no number.
     where : str
         File, or file and line, for messages.
     what : str
@@ -246,12 +246,12 @@ def make_row(kind: type[RowType], values: Mapping[str, Any], where: str, what: s
 
 
 def checked(column: Column, value: Any, where: str) -> Cell:
-    """Return a value as its column has it: text, whole number, number or None.
+    """Return a value in the type of its column: text, whole number, number or None.
 
     Raises
     ------
     ValueError
-        If it is none of what the column allows; one line.
+        If the column does not allow it; one line.
     """
     if isinstance(value, float | np.floating) and np.isnan(value):
         value = None
@@ -269,7 +269,7 @@ def checked(column: Column, value: Any, where: str) -> Cell:
 
 
 def allowed_text(column: Column) -> str:
-    """Return what may stand in a column, in words."""
+    """Return what a column may hold, in words."""
     if column.kind is str:
         return f"one of {', '.join(column.allowed)}" if column.allowed else "text"
     number = "a whole number" if column.kind is int else "a number"
@@ -283,7 +283,7 @@ def numbers_of(rows: Iterable[SheetIdentity], name: str) -> list[float]:
 
 
 def key_text(key: tuple[Any, ...]) -> str:
-    """Return what identifies a sheet or a state in words, for messages."""
+    """Return the key of a sheet or a state in words, for messages."""
     return ", ".join(map(str, key))
 
 

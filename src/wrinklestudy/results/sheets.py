@@ -12,14 +12,14 @@ from wrinklestudy.results.rows import SheetRow, StateRow, columns, numbers_of
 from wrinklestudy.typing import Array, Mask
 from wrinklestudy.vocabulary import Status
 
-# Two strains of the study closer than this are the same
+# Strains of the study that are closer than this are the same
 _SAME = 1e-9
-# What is zero on a flat sheet
+# Columns that are zero on a flat sheet
 _OF_WRINKLES = ("amplitude_over_thickness", "phi_squared", "phi_squared_central")
 
 
 class MissingError(LookupError):
-    """The study lacks what is asked for; the message names the case or the number."""
+    """The study lacks what was asked for; the message names the case or the number."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,12 +127,12 @@ class SheetStates:
         return self.columns[name]
 
     def of_status(self, status: Status) -> Mask:
-        """Return which states have a status."""
+        """Return which states have the given status."""
         return np.array([row.status == status for row in self.states], dtype=np.bool_)
 
     @property
     def wrinkles(self) -> bool:
-        """Whether the flat sheet is unstable at any strain or a wrinkled state was found."""
+        """Whether the flat sheet is unstable at any strain or any state is wrinkled."""
         return math.isfinite(self.birth) or "wrinkled" in self.status
 
     @property
@@ -142,7 +142,7 @@ class SheetStates:
 
     @property
     def end(self) -> float:
-        """Strain up to which wrinkles persist: 0 without wrinkles, inf if no decay was found."""
+        """Strain up to which wrinkles persist: 0 without wrinkles, inf if there is no decay."""
         if not self.wrinkles:
             return 0.0
         return self.decay if math.isfinite(self.decay) else math.inf
@@ -195,9 +195,9 @@ class SheetStates:
     def curve(self, name: str) -> tuple[Array, Array]:
         """Return strain and a column that vanishes where wrinkles appear and vanish.
 
-        Birth and decay strain come from the eigenvalue problem of the flat sheet and are put
-        in between the states with the value 0, unless they are farther from the states than these
-        are from each other. NaN (a state that did not converge) is a gap.
+        Birth and decay strain come from the eigenvalue problem of the flat sheet and are inserted
+        with the value 0, unless they are farther from the states than these are from each other.
+        NaN (a state that did not converge) leaves a gap.
         """
         strain = self.columns["strain"]
         reach = np.diff(strain).max(initial=0.0) if len(strain) > 1 else np.inf
@@ -209,11 +209,10 @@ class SheetStates:
         return strain[order], value[order]
 
     def at(self, name: str, strain: float) -> float:
-        """Return a number at a strain: that of the state, or between two wrinkled neighbours.
+        """Return a number at a strain: that of the state, or one between two wrinkled states.
 
-        Between two neighbouring wrinkled states the monotone cubic through the wrinkled states is
-        taken. Amplitude and Phi^2 are zero where the sheet is flat; nothing is interpolated
-        across a state that did not converge.
+        The interpolation is the monotone cubic through the wrinkled states. Amplitude and Phi^2 are
+        zero where the sheet is flat; nothing is interpolated across a state that did not converge.
 
         Raises
         ------

@@ -15,8 +15,8 @@ from wrinklestudy.typing import AnyPath
 def measure_state(path: AnyPath) -> StateRow:
     """Return the row of one wrinkle file.
 
-    A state that did not converge has no number for what is measured or belongs to an equilibrium;
-    a flat one has amplitude 0 and Phi^2 = 0, and no wavelength.
+    A state that did not converge has no numbers that are measured or belong to an equilibrium; a
+    flat state has amplitude 0, Phi^2 = 0 and no wavelength.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ def measure_state(path: AnyPath) -> StateRow:
 
 def _measured(row: StateRow, sheet: DeformedSheet) -> StateRow:
     if row.status == "flat":
-        sheet = sheet.flattened()  # what is left of a seed that decayed is no wrinkle
+        sheet = sheet.flattened()  # what remains of a seed that has decayed is no wrinkle
     return _with_peak(with_measures(row, measure_sheet(sheet)), sheet_peak(sheet))
 
 
@@ -61,9 +61,9 @@ def with_measures(row: StateRow, measures: Measures) -> StateRow:
 
 def unmeasured(row: StateRow) -> StateRow:
     """Return the row of a state that did not converge: without the numbers of an equilibrium."""
-    its = columns(StateRow).values()
+    state_columns = columns(StateRow).values()
     nothing: dict[str, Any] = {
-        column.name: None for column in its if column.measured or column.of_equilibrium
+        column.name: None for column in state_columns if column.measured or column.of_equilibrium
     }
     return replace(row, **nothing)
 

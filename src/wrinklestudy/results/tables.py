@@ -1,9 +1,9 @@
 """The tables as CSV files: the one place where rows are written and read back.
 
-One header line, one line per row. Numbers have all their digits and whole numbers no point, an
-empty cell means that there is no such number, and a text is what it is, even if it looks like a
-number; only a carriage return, which ends a line as a line feed does, has no place in it. The same
-rows give the same bytes, whatever their order.
+A table has a header line and a line per row. Numbers have all their digits, whole numbers no point;
+an empty cell means that there is no such number, and a text stays a text even if it looks like a
+number. Only carriage returns are not kept, because they end a line as line feeds do. The same rows
+give the same bytes, whatever their order.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -55,7 +55,7 @@ def write_peaks(rows: Sequence[SheetRow], output: AnyPath) -> None:
 
 
 def read_states(path: AnyPath) -> list[StateRow]:
-    """Return the states of a table of the metrics or of the summary stage, in its order.
+    """Return the states of a table of the metrics or the summary stage, in its order.
 
     Raises
     ------
@@ -72,7 +72,7 @@ def read_sheets(stability: AnyPath, peaks: AnyPath) -> list[SheetRow]:
     Raises
     ------
     ValueError
-        As `read_states`, or if a sheet stands in one of the tables only.
+        As `read_states`, or if a sheet is in only one of the tables.
     """
     unstable = [StabilityRow(**cells) for cells in _read(stability, STABILITY_COLUMNS)]
     limits = {row.key: row for row in unstable}
