@@ -1,1 +1,1 @@
-"""The entries of the jobs: each reads its input files, calls the library and writes its output."""
+"""What the jobs do: each reads its input files, calls the library and writes its output."""

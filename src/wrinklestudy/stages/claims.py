@@ -1,4 +1,4 @@
-"""The claims stage: every claim of a study with a verdict."""
+"""The claims stage: a verdict on every claim of a study."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -15,7 +15,7 @@ def run(
     sheet: tuple[str, float, float],
     output: Mapping[str, Any],
 ) -> None:
-    """Judge all claims and write the table of claims, a page to read and the further tables.
+    """Judge all claims; write the table of claims, a page to read and the further tables.
 
     A claim for which the study lacks a case is written with the verdict ``not computed`` and what
     is missing. The same inputs give the same bytes.
@@ -32,7 +32,7 @@ def run(
         Model, L/W and t/W of the sheet that the claims are about.
     output : mapping
         Files to write: ``csv``, the claims (columns `write.CLAIM_COLUMNS`), ``page``, an HTML page
-        that is complete in itself, and ``tables``, a sequence: the further tables of the catalogue
+        that needs no other file, and ``tables``, a sequence: the further tables of the catalogue
         as CSV, in its order.
 
     Raises

@@ -1,4 +1,4 @@
-"""The figures stage: one figure in each of the formats asked for."""
+"""The figures stage: one figure in all formats asked for."""
 
 from collections.abc import Mapping, Sequence
 from importlib import import_module
@@ -23,10 +23,10 @@ def run(
     data: Sequence[AnyPath] = (),
     experiment: Sequence[AnyPath] = (),
 ) -> None:
-    """Draw one figure and write it in each of the formats asked for.
+    """Draw one figure and write it in all formats asked for.
 
-    The same inputs give the same bytes: no dates are written. A figure leaves alone what it
-    does not show.
+    The same inputs give the same bytes, because no dates are written. Inputs that the figure does
+    not show are ignored.
 
     Parameters
     ----------
@@ -37,18 +37,18 @@ def run(
     output : path-like, sequence or mapping of path-like
         Files to write; the suffix (.pdf, .png, .svg) is the format.
     metrics : sequence of path-like
-        Tables of the metrics stage, of the sheets that the figure shows and in their order.
+        Tables of the metrics stage of the sheets that the figure shows, in their order.
     stability : sequence of path-like
         Files of the stability stage of these sheets, for birth and decay.
     materials : sequence of path-like
         Files of the material stage.
     states : sequence of path-like
-        Files of the wrinkle stage, those of `FigureEntry.strains_shown`.
+        Files of the wrinkle stage at the strains of `FigureEntry.strains_shown`.
     data : sequence of path-like
         Stress-strain files that the materials were fitted to.
     experiment : sequence of path-like
-        Files of measured data (`wrinklestudy.study.measurements`); of the kinds that its entry
-        names.
+        Files of measured data (`wrinklestudy.study.measurements`), of the kinds that the entry of
+        the figure names.
 
     Raises
     ------

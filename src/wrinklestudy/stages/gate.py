@@ -1,4 +1,4 @@
-"""Gate stage: the last word on a finished study, whether enough of its cases converged."""
+"""The gate stage, last in a study: it fails unless enough of the cases converged."""
 
 from collections import Counter
 from os import fspath
@@ -12,7 +12,7 @@ _SHOWN = 5
 
 
 class GateError(ValueError):
-    """More cases than allowed have not converged."""
+    """More cases than allowed did not converge."""
 
 
 def run(states: AnyPath, allow_not_converged: int, study: str, output: AnyPath) -> None:
@@ -25,14 +25,14 @@ def run(states: AnyPath, allow_not_converged: int, study: str, output: AnyPath) 
     allow_not_converged : int
         Number of cases that may have the status ``not-converged``.
     study : str
-        Digest of all that the study follows from; a study is finished if it is in the output.
+        Digest of all that the study depends on; a study whose digest is in the output is finished.
     output : path-like
         JSON file with the counts and the digest.
 
     Raises
     ------
     GateError
-        If there are more; the message names the first of them. Nothing is written.
+        If there are more than allowed; the message names the first. Nothing is written.
     ValueError
         If the table lacks a column or a cell is not what its column allows.
     """

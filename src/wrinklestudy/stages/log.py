@@ -13,7 +13,7 @@ _LOGGER = logging.getLogger(__name__)
 
 @contextmanager
 def log_cpu(part: str) -> Iterator[None]:
-    """Log how much CPU time of this process a block took, to tell solving from the rest of a job.
+    """Log the CPU time that a block took in this process, to tell solving from the rest of a job.
 
     Parameters
     ----------
@@ -27,15 +27,15 @@ def log_cpu(part: str) -> Iterator[None]:
 
 @contextmanager
 def log_to(path: str) -> Iterator[None]:
-    """Send log messages and warnings to a file, and errors too before the job ends with them.
+    """Send log messages and warnings to a file, and errors before the job ends with them.
 
-    A `ValueError` or a missing file is a matter of the input: the log has the traceback, and on
-    the terminal stands its one line.
+    A `ValueError` or a missing file is a fault of the input: the log gets the traceback, the
+    terminal the one line of its message.
 
     Parameters
     ----------
     path : str
-        Log file; written anew.
+        Log file; an old one is replaced.
     """
     Path(path).parent.mkdir(parents=True, exist_ok=True)
     form = "%(asctime)s %(levelname)s %(name)s: %(message)s"

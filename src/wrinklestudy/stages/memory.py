@@ -1,4 +1,4 @@
-"""Memory of a job: Python's search for garbage is left out."""
+"""Memory of a job, which does without Python's search for garbage."""
 
 import gc
 from collections.abc import Iterator
@@ -7,10 +7,10 @@ from contextlib import contextmanager
 
 @contextmanager
 def no_garbage_collection() -> Iterator[None]:
-    """Let no objects be searched for garbage within a block; those made there never are.
+    """Search for no garbage within a block, nor later among the objects made in it.
 
-    A job of a second makes modules, not garbage: looking through them for some takes a fifth of the
-    time outside the solves, a part of it when Python ends.
+    A job of a second makes modules, not garbage: the search takes a fifth of the time outside the
+    solves, some of it when Python ends.
     """
     gc.disable()
     try:

@@ -13,7 +13,7 @@ def run(wrinkle: Sequence[AnyPath], output: AnyPath) -> None:
 
     Rows are sorted by case and strain, whatever the order of the files, and numbers are
     written with all their digits, so that the same files give the same bytes. No state
-    is left out: one that did not converge is a row without measures.
+    is left out: a state that did not converge is a row without measures.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The planar stage: flat state of one model, L/W and strain, with its critical thicknesses."""
+"""The planar stage: the flat state of one model, L/W and strain, with its critical thicknesses."""
 
 from collections.abc import Mapping
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""The stability stage: at which strains wrinkles of a sheet are born and decay."""
+"""The stability stage: the strains at which the wrinkles of a sheet are born and decay."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -20,18 +20,18 @@ def run(
     output: Path | str,
     name: str | None = None,
 ) -> None:
-    """Find birth and decay of one sheet, starting from the planar states of a study.
+    """Find birth and decay strain of one sheet, starting from the planar states of a study.
 
     Parameters
     ----------
     planar : sequence of paths
         HDF5 files of the planar stage of this material and L/W.
     mesh, material : path
-        What the planar states were made from.
+        The files that the planar states were made from.
     thickness : float
         t/W.
     settings : mapping
-        Keys of `planar.Settings`.
+        Keys of `PlanarSettings`.
     output : path
         JSON file to write.
     name : str, optional

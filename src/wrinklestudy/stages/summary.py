@@ -1,7 +1,7 @@
-"""Summary stage: the tables of the whole study, put together from those of its sheets.
+"""The summary stage: the tables of the whole study, put together from those of its sheets.
 
-Three plain CSV files: all states, birth and decay of all sheets, and the peak of each sheet over
-strain; their columns are those of `results.rows`.
+These are three CSV files: all states, birth and decay of all sheets, and the peak of each sheet
+over strain. Their columns are those of `results.rows`.
 """
 
 from collections.abc import Mapping, Sequence
@@ -32,8 +32,8 @@ def run(
     Raises
     ------
     ValueError
-        If a file lacks something, two files hold the same case, or a sheet has states and no
-        stability file or the other way round; one line that names the file or the sheet.
+        If a file lacks something, two files hold the same case, or a sheet has states but no
+        stability file, or the other way round; one line that names the file or the sheet.
     """
     tables = [(path, read_states(path)) for path in metrics]
     states = [row for _, rows in tables for row in rows]

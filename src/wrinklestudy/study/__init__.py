@@ -1,1 +1,1 @@
-"""What any study needs: config, catalogue of figures and claims, pages."""
+"""What every study needs: config, catalogue of figures and claims, pages."""

@@ -2,7 +2,7 @@
 
 A study is a package whose ``__init__`` defines one `Catalogue` under the name ``CATALOGUE``: one
 of `wrinklestudy.studies`, or a folder (or a single ``.py`` file) of the user. The catalogue names
-the modules that draw and judge; they are imported in the jobs that need them and not before.
+the modules that draw and judge; they are imported only in the jobs that need them.
 """
 
 import re
@@ -24,7 +24,7 @@ class FigureEntry:
     Parameters
     ----------
     name : str
-        Name of its files.
+        Name of the files.
     title : str
         What it shows, in a few words.
     caption : str
@@ -36,18 +36,19 @@ class FigureEntry:
     part : str
         Part of the report that it belongs to.
     sheets : callable
-        Gives the sheets of a config whose tables the figure is drawn from: `study.selections`.
+        Selects, from a config, the sheets whose tables the figure is drawn from:
+        `study.selections`.
     strains : tuple of float or "all"
-        Strains of the figure sheet whose states are shown; the nearest ones that were computed.
+        Strains of the figure sheet at which states are shown, or the nearest ones computed.
     measured : tuple of str
-        Kinds of measured data that are laid over it, out of `MEASURED_KINDS`.
+        Kinds of measured data drawn over it, out of `MEASURED_KINDS`.
     materials : bool
-        Whether it compares the materials of the study.
+        Whether the figure compares the materials of the study.
 
     Raises
     ------
     ValueError
-        If the name is no file name, or a kind of measured data is unknown.
+        If the name cannot be a file name, or a kind of measured data is unknown.
     """
 
     name: str
@@ -72,8 +73,8 @@ class FigureEntry:
     def strains_shown(self, available: Sequence[float]) -> list[float]:
         """Return the strains whose states the figure shows, out of those that a study has.
 
-        For each strain wanted the nearest one of the study is taken, once; the figure is labelled
-        with what it shows. The undeformed sheet (strain 0) needs no state.
+        For each strain wanted this is the nearest one of the study, without repetitions; the figure
+        is labelled with what it shows. The undeformed sheet (strain 0) needs no state.
 
         Parameters
         ----------
@@ -114,7 +115,7 @@ class TableEntry:
     Raises
     ------
     ValueError
-        If the name is no file name.
+        If the name cannot be a file name.
     """
 
     name: str
@@ -126,12 +127,12 @@ class TableEntry:
         """Refuse what would fail only in a job."""
         _check_name("table", self.name)
         if self.name == "claims":
-            raise ValueError("table 'claims': this is the name of the table of claims")
+            raise ValueError("table 'claims': the table of claims has this name")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Catalogue:
-    """All that a study shows.
+    """Everything that a study shows.
 
     Parameters
     ----------
@@ -144,8 +145,8 @@ class Catalogue:
     figures : tuple of FigureEntry
         In the order of the report.
     claims : str
-        Module with claims, or a package of such modules; empty without claims. Their order follows
-        from the claims themselves.
+        Module with claims, or package of such modules; empty without claims. The claims
+        themselves say in which order they come.
     tables : tuple of TableEntry
         Further tables.
     tables_part : str
@@ -154,7 +155,7 @@ class Catalogue:
     Raises
     ------
     ValueError
-        If two figures or two tables have one name.
+        If two figures or two tables have the same name.
     """
 
     name: str
@@ -173,7 +174,7 @@ class Catalogue:
         ):
             twice = [name for name in dict.fromkeys(names) if names.count(name) > 1]
             if twice:
-                raise ValueError(f"{kind} {twice[0]!r}: stands twice in the catalogue")
+                raise ValueError(f"{kind} {twice[0]!r}: is in the catalogue twice")
 
     @property
     def figure_names(self) -> tuple[str, ...]:

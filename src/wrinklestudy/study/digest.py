@@ -1,9 +1,9 @@
 """Digest of the code behind a stage: it changes when the code changes, not when a comment does.
 
-Snakemake sees neither an edit in an imported package nor less than a whole script. Each rule
+Snakemake does not see edits in an imported package, and of a script it sees every change. Each rule
 therefore gets the digest of its script and of all modules of this package that the script imports,
 directly or through others. Only the syntax trees count, without docstrings, comments and layout.
-Templates of pages lie in a package of their own: whoever imports it has their texts in its digest.
+Templates of pages are in packages: a module that imports one has the templates in its digest.
 """
 
 import ast
@@ -26,9 +26,9 @@ def code_digest(
     script : path
         Python script that runs a stage.
     also : iterable of str
-        Names of modules that the script imports besides, by a name that it computes.
+        Names of further modules, which the script imports by a name that it computes.
     sources : sequence of path
-        Folders that hold packages whose code counts; what lies in none of them does not.
+        Folders with the packages whose code counts; code from elsewhere does not.
 
     Returns
     -------
@@ -50,7 +50,7 @@ def modules(
     """Return name and file of the package modules that a script imports, directly or not.
 
     Imports inside functions count; those for type checkers only do not. The ``__init__`` of a
-    package counts where something is imported from it, not for every module that lies in it.
+    package counts where something is imported from it, not for every module inside it.
     A module that is imported by a computed name is not seen: name it in ``also``.
     """
     files: dict[str, Path] = {}
@@ -66,7 +66,7 @@ def modules(
 
 
 def module_file(name: str, sources: Sequence[Path]) -> Path | None:
-    """Return the file of a module that lies in one of the folders; None for anything else."""
+    """Return the file of a module in one of the folders; None for any other module."""
     for source in sources if name else ():
         stem = source.joinpath(*name.split("."))
         for path in (stem.with_name(f"{stem.name}.py"), stem / "__init__.py"):
@@ -89,7 +89,7 @@ def _imports(path: Path, package: str, sources: Sequence[Path]) -> Iterator[str]
 
 
 def _read(path: Path) -> tuple[str, tuple[tuple[str, int, str], ...]]:
-    """Return what counts of a file: digest of its tree and its imports (module, level, name)."""
+    """Return what counts in a file: digest of its tree, and imports (module, level, name)."""
     stat = path.stat()
     return _read_version(path, stat.st_mtime_ns, stat.st_size)
 
@@ -120,6 +120,6 @@ def _nodes(node: ast.AST) -> Iterator[ast.AST]:
 
 class _WithoutDocstrings(ast.NodeTransformer):
     def visit_Expr(self, node: ast.Expr) -> ast.Expr | None:
-        """Drop a text that stands alone: a docstring, or a comment written as one."""
+        """Drop a string that is a statement: a docstring, or a comment written as one."""
         text = isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
         return None if text else node

@@ -1,4 +1,4 @@
-"""What each figure shows of a study, and how its caption says so."""
+"""What each figure shows of a study, and the words for it in its caption."""
 
 from collections.abc import Iterable
 from pathlib import Path
@@ -28,7 +28,7 @@ def states_shown(study: StudyConfig, figure: FigureEntry) -> tuple[Case, ...]:
 
 
 def measured(study: StudyConfig, figure: FigureEntry) -> list[str]:
-    """Return the files of the user's measurements that a figure overlays: those that exist."""
+    """Return the existing files of the user's measurements that a figure draws over its curves."""
     folder = Path(study.folders.experiment)
     patterns = (
         "profiles/*.csv" if kind == "profiles" else f"{kind}.csv" for kind in figure.measured
@@ -37,7 +37,7 @@ def measured(study: StudyConfig, figure: FigureEntry) -> list[str]:
 
 
 def labels(figure: FigureEntry) -> dict[str, str]:
-    """Return how the report lists a figure."""
+    """Return the labels under which the report lists a figure."""
     return {"figure": figure.panel, "shows": figure.title}
 
 

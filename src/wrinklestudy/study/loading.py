@@ -21,7 +21,7 @@ class CatalogueError(ValueError):
 
 @dataclass(frozen=True)
 class _Place:
-    """Where a study is: name and file of its module, folder that it is imported from."""
+    """Where a study is: name and file of its module, and the folder it is imported from."""
 
     module: str
     file: Path
@@ -51,8 +51,8 @@ def load_catalogue(study: str) -> Catalogue:
     Raises
     ------
     CatalogueError
-        If there is no such study, its file cannot be imported or defines no ``CATALOGUE``, or a
-        module that the catalogue names does not exist; one line.
+        If there is no such study, its file cannot be imported or does not define ``CATALOGUE``, or
+        a module that the catalogue names does not exist; one line.
     """
     place = _place(study)
     catalogue = getattr(_imported(study, place), "CATALOGUE", None)
@@ -74,7 +74,7 @@ def load_catalogue(study: str) -> Catalogue:
 
 
 def sources(study: str) -> tuple[Path, ...]:
-    """Return the folders with the code behind a study: that of this package and of the user's."""
+    """Return the folders with the code behind a study: of this package and of the user."""
     return tuple(dict.fromkeys((SOURCE, _place(study).source)))
 
 

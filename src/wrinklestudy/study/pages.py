@@ -1,7 +1,7 @@
-"""Pages from templates: one environment, one way to write numbers, one look for every page.
+"""Pages from templates: one environment, one way to write numbers, one look.
 
-HTML templates (`*.html.j2`) escape every text that they are given. Markdown has no such rule of its
-own: the macros for tables and figures escape their texts, and a template writes ``| markdown``
+HTML templates (`*.html.j2`) escape every text that they are given. For Markdown there is no such
+rule: the macros for tables and figures escape their texts, and a template writes ``| markdown``
 where a text comes from a config, a file or a name.
 """
 
@@ -18,8 +18,8 @@ from wrinklestudy.study import templates
 SHARED = Path(templates.__file__).parent
 NO_NUMBER = "no number"
 
-# What starts something in Markdown inside a line: code, emphasis, links, tables, strikes, formulas.
-# Not `*` and `~` between spaces, `_` within a word, `<` and `&` where no HTML can start.
+# Characters with a meaning inside a line of Markdown: code, emphasis, links, tables, strikes,
+# formulas. Not `*` and `~` between spaces, `_` within a word, `<` and `&` where no HTML can start.
 _SPECIAL = re.compile(
     r"[\\`\[\]|$]|[*~](?=\S)|(?<=\S)[*~]|<(?=[A-Za-z/!?])|&(?=[A-Za-z#])"
     r"|(?<![A-Za-z0-9])_|_(?!\w)"
@@ -35,7 +35,7 @@ def number(value: float | None, form: str = ".6g", missing: str = NO_NUMBER) -> 
     form : str
         Format specification.
     missing : str
-        What stands where there is no number.
+        Text where there is no number.
     """
     if value is None or math.isnan(value):
         return missing
@@ -43,12 +43,12 @@ def number(value: float | None, form: str = ".6g", missing: str = NO_NUMBER) -> 
 
 
 def markdown(text: object) -> str:
-    """Return a text on one line in which nothing is Markdown or HTML any more."""
+    """Return a text on one line, with everything escaped that would be Markdown or HTML."""
     return _SPECIAL.sub(lambda match: f"\\{match[0]}", " ".join(str(text).split()))
 
 
 def cell(value: object) -> str:
-    """Return what stands in a cell of a Markdown table; numbers as `number` writes them."""
+    """Return the text of a cell of a Markdown table; numbers as `number` writes them."""
     if value is None or isinstance(value, float):
         return number(value)
     return markdown(value)
@@ -77,14 +77,14 @@ def render(template: str, folder: Path | None = None, /, **values: Any) -> str:
     template : str
         Name of the file, `*.html.j2` or `*.md.j2`.
     folder : path, optional
-        Where templates are looked for before the shared ones.
+        Searched for templates before the shared ones.
     **values
-        What the template asks for.
+        What the template refers to.
 
     Raises
     ------
     jinja2.UndefinedError
-        If the template asks for something that is not there.
+        If the template refers to a value that was not given.
     jinja2.TemplateNotFound
         If there is no such template.
     """

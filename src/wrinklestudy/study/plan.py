@@ -1,4 +1,4 @@
-"""Which files a study consists of: they follow from its cases and the table of stages."""
+"""The files of a study, which follow from its cases and the table of stages."""
 
 from collections.abc import Iterable, Mapping
 from string import Formatter
@@ -8,12 +8,11 @@ from wrinklestudy.study.config import StudyConfig
 
 
 def files_of(study: StudyConfig, paths: Paths, stage: str) -> list[str]:
-    """Return all files that a stage writes in a study, each once.
+    """Return all files that a stage writes in a study, without repetitions.
 
     There is one job for each value of the wildcards in the paths of the stage: for each figure
-    where there is ``{figure}``, for each further table of the claims where there is ``{table}``,
-    for each material where there is nothing but ``{material}``, else for what the cases of the
-    study differ in.
+    with ``{figure}``, for each further table of the claims with ``{table}``, for each material with
+    ``{material}`` alone, and otherwise for each combination that the cases of the study have.
     """
     files = []
     for output in STAGES[stage].outputs:
@@ -33,13 +32,13 @@ def files_of(study: StudyConfig, paths: Paths, stage: str) -> list[str]:
 
 
 def wanted_files(study: StudyConfig, paths: Paths) -> list[str]:
-    """Return what a study is run for, but the gate."""
+    """Return the files that a study is run for, except that of the gate."""
     stages = [stage for stage in STAGES if STAGES[stage].wanted]
     return [file for stage in stages for file in files_of(study, paths, stage)]
 
 
 def files_on_the_way(study: StudyConfig, paths: Paths) -> list[str]:
-    """Return what is made so that the wanted files can be made."""
+    """Return the files that are needed to make the wanted ones."""
     *before_gate, _gate = STAGES
     stages = [stage for stage in before_gate if not STAGES[stage].wanted]
     return [file for stage in stages for file in files_of(study, paths, stage)]

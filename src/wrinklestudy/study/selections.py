@@ -1,4 +1,4 @@
-"""Which sheets of a config a figure is drawn from: the choices that any study can make."""
+"""Selections of sheets for figures, which any study can use."""
 
 from typing import Protocol
 
@@ -24,22 +24,22 @@ class SheetsOfConfig(Protocol):
 
 
 def no_sheets(_config: SheetsOfConfig) -> Sheets:
-    """Return none: the figure is drawn from states or materials."""
+    """Select none: the figure is drawn from states or materials."""
     return ()
 
 
 def figure_sheet(config: SheetsOfConfig) -> Sheets:
-    """Return the sheet of `figures.sheet` alone."""
+    """Select the sheet of `figures.sheet` alone."""
     return (config.figure_sheet,)
 
 
 def compared_models(config: SheetsOfConfig) -> Sheets:
-    """Return the sheet of `figures.sheet` in each of the models of `figures.compare`."""
+    """Select the sheet of `figures.sheet` in each of the models of `figures.compare`."""
     return config.compared_sheets
 
 
 def same_thickness(config: SheetsOfConfig) -> Sheets:
-    """Return the sheets that differ from `figures.sheet` in L/W at most."""
+    """Select the sheets that differ from `figures.sheet` in L/W at most."""
     own = config.figure_sheet
     return tuple(
         sheet
@@ -49,7 +49,7 @@ def same_thickness(config: SheetsOfConfig) -> Sheets:
 
 
 def same_aspect(config: SheetsOfConfig) -> Sheets:
-    """Return the sheets that differ from `figures.sheet` in t/W at most."""
+    """Select the sheets that differ from `figures.sheet` in t/W at most."""
     own = config.figure_sheet
     return tuple(
         sheet

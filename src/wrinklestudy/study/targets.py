@@ -1,4 +1,4 @@
-"""Files that are asked for by name: one clear line for one that no study can have."""
+"""Files asked for by name: a clear line about any that no study can have."""
 
 import os
 import re
@@ -16,19 +16,19 @@ _LIMITS = {"aspect": ASPECT, "thickness": THICKNESS, "resolved": THICKNESS, "str
 
 
 def refusal(target: str, study: StudyConfig, paths: Paths) -> str | None:
-    """Return why a file that is asked for cannot be made; None if it can, or is no result.
+    """Return why a file asked for cannot be made; None if it can, or if it is no result.
 
-    A case need not stand in the config, but the limits of the config hold for it, and its numbers
-    have one spelling: another one would be another file for the same case.
+    A case need not be in the config, but must be within the limits of the config. Its numbers have
+    one spelling, because another spelling would be another file for the same case.
 
     Parameters
     ----------
     target : str
         Path as it was given.
     study : StudyConfig
-        Has the materials and variants that there are.
+        The study, with its materials and variants.
     paths : Paths
-        Of the study.
+        Paths of the study.
 
     Returns
     -------
@@ -48,13 +48,13 @@ def refusal(target: str, study: StudyConfig, paths: Paths) -> str | None:
                 }
                 faults = [*_unknown(texts, known), *_outside(texts)] or _misspelt(pattern, texts)
                 if not faults and stage == "metrics" and path not in files_of(study, paths, stage):
-                    faults = ["the config has no strains of this sheet (sheets)"]
+                    faults = ["the config has no strains for this sheet (sheets)"]
                 return f"{target}: {'; '.join(faults)}" if faults else None
     return None
 
 
 def _wildcards(pattern: str, path: str) -> dict[str, str] | None:
-    """Return the texts of the wildcards in a path, whatever they are; None for another path."""
+    """Return the texts of the wildcards in a path, valid or not; None for any other path."""
     parts = re.split(r"\{(\w+)\}", pattern)
     literal = [re.escape(part) for part in parts[::2]]
     groups = [f"(?P<{name}>[^/]*?)" for name in parts[1::2]]
@@ -64,7 +64,7 @@ def _wildcards(pattern: str, path: str) -> dict[str, str] | None:
 
 
 def _models(study: StudyConfig, stage: str) -> list[str]:
-    """Return what may stand for {material}: only a material has constants of its own."""
+    """Return the names allowed for {material}; the material stage is about materials only."""
     return [*study.materials] if stage == "material" else [*study.materials, *study.variants]
 
 
@@ -85,7 +85,7 @@ def _outside(texts: Mapping[str, str]) -> list[str]:
             faults.append(f"{name} = {texts[name]}: must be a number {limits}")
         elif name == "resolved" and name in texts and resolved_thickness(value) != value:
             right = format_value(resolved_thickness(value))
-            fault = f"{name} = {texts[name]}: must be 0.001, or that halved a number of times"
+            fault = f"{name} = {texts[name]}: must be 0.001, or 0.001 halved any number of times"
             faults.append(f"{fault}; write {right}")
     return faults
 
@@ -99,7 +99,7 @@ def _number(text: str) -> float:
 
 
 def _misspelt(pattern: str, texts: Mapping[str, str]) -> list[str]:
-    """Return the right path if a number is written in another way; numbers are allowed by now."""
+    """Return the right path if a number is spelt differently; all numbers are allowed ones here."""
     right = {
         name: format_value(_number(text)) if name in _LIMITS else text
         for name, text in texts.items()

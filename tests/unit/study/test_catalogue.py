@@ -33,5 +33,5 @@ def test_a_figure_that_is_not_there_is_refused_with_those_that_are():
 
 
 def test_a_table_does_not_take_the_place_of_the_claims():
-    with pytest.raises(ValueError, match="table 'claims': this is the name of the table of claims"):
+    with pytest.raises(ValueError, match="table 'claims': the table of claims has this name"):
         TableEntry(name="claims", title="a", caption="b", module="c")

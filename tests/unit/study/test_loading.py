@@ -159,7 +159,7 @@ def test_what_is_no_study_gets_one_line(toy, study, message):
             'name="dot", measured=("height",), ',
             r"figure 'dot': measured = 'height': allowed: stress, amplitude, wavelength, profiles",
         ),
-        ("figures=(", "figures=2 * (", r"figure 'dot': stands twice in the catalogue"),
+        ("figures=(", "figures=2 * (", r"figure 'dot': is in the catalogue twice"),
     ],
 )
 def test_a_mistake_in_a_study_gets_one_line_that_says_where(toy, old, new, message):

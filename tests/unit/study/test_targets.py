@@ -101,7 +101,7 @@ def test_what_is_no_result_is_left_to_snakemake(path):
         ),
         (
             "out/metrics/rubber/aspect4_thickness0.001.csv",
-            "the config has no strains of this sheet (sheets)",
+            "the config has no strains for this sheet (sheets)",
         ),
         (
             "out/material/thick.json",
@@ -109,7 +109,7 @@ def test_what_is_no_result_is_left_to_snakemake(path):
         ),
         (
             "out/mesh/aspect2_resolves0.0007.vtu",
-            "resolved = 0.0007: must be 0.001, or that halved a number of times; write 0.0005",
+            "resolved = 0.0007: must be 0.001, or 0.001 halved any number of times; write 0.0005",
         ),
         (
             "pictures/fig1_stress.pdf",

@@ -1,4 +1,4 @@
-"""The claims of a study, as they stand in its modules."""
+"""The claims of a study, collected from its modules."""
 
 from importlib import import_module
 
@@ -7,19 +7,19 @@ from wrinklestudy.study.loading import CatalogueError, claim_modules
 
 
 def load_claims(study: str) -> tuple[Claim, ...]:
-    """Return the claims of a study in the order of `Claim.order`, then as they stand in the code.
+    """Return the claims of a study in the order of `Claim.order`, then of the code.
 
-    A claim belongs to the module that its rule is defined in.
+    A claim belongs to the module in which its rule is defined.
 
     Parameters
     ----------
     study : str
-        As in the config: `loading.load_catalogue`.
+        Name of the study as in the config: `loading.load_catalogue`.
 
     Raises
     ------
     CatalogueError
-        If the study cannot be loaded or two claims have one key.
+        If the study cannot be loaded or two claims have the same key.
     """
     claims: dict[str, Claim] = {}
     for name in claim_modules(study):

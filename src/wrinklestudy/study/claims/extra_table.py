@@ -1,4 +1,4 @@
-"""A further table of the claims stage, as a file and on the page."""
+"""A further table of the claims stage, in a file and on the page."""
 
 from dataclasses import dataclass
 
@@ -12,13 +12,13 @@ class ExtraTable:
     columns : tuple of str
         Columns of the file.
     rows : tuple of tuple
-        Rows of the file, texts and numbers with all digits; NaN where there is no number.
+        Rows of the file: texts, and numbers with all digits; NaN where there is no number.
     head : tuple of str
         Columns of the table on the page; empty if there is nothing to show.
     cells : tuple of tuple of str
-        Its rows.
+        Rows of the table on the page.
     note : str
-        Sentence below the table on the page, or in its place.
+        Sentence below the table on the page, or instead of it.
     """
 
     columns: tuple[str, ...]

@@ -1,4 +1,4 @@
-"""What is found about one claim, and how a verdict is reached."""
+"""A claim, the finding about it, and how a verdict is reached."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -31,13 +31,13 @@ class Value:
     Parameters
     ----------
     name : str
-        What it is.
+        What the number is.
     number : float
         NaN if there is none, inf for a strain beyond those computed.
     unit : str
         Unit, empty for a ratio.
     digits : int
-        Significant digits in texts; the CSV has all.
+        Significant digits in texts; the CSV has all digits.
     """
 
     name: str
@@ -62,10 +62,10 @@ class Finding:
     values : tuple of Value
         What was computed.
     explanation : str
-        In words, with the computed numbers; never empty for a disagreement or a dependence.
+        A text with the computed numbers; never empty for a disagreement or a dependence.
     depends_on : str
-        On what, where the verdict depends on something.
-    sheets : tuple of Sheet
+        What the verdict depends on, if it depends on something.
+    sheets : tuple of SheetStates
         The sheets that the values come from.
     """
 
@@ -98,17 +98,17 @@ class Claim:
     key : str
         Short name.
     order : tuple of int
-        Where it stands in the table of claims: section, subsection (0 for none), number.
+        Its place in the table of claims: section, subsection (0 for none), number.
     place : str
         Where it is claimed, by section, figure or table.
     statement : str
         What is claimed there, in the words of this project.
     reading : str
-        How it is taken to be tested, where the statement leaves that open; empty otherwise.
+        How the statement is understood for the test, if it leaves that open; empty otherwise.
     tolerance : str
         When the study counts as agreeing.
     judge : callable
-        From a study to a finding; raises `MissingError` where the study lacks something.
+        From a study to a finding; raises `MissingError` if the study lacks something.
     """
 
     key: str
@@ -120,7 +120,7 @@ class Claim:
     judge: Callable[[StudyTables], Finding]
 
     def finding(self, study: StudyTables) -> Finding:
-        """Return what a study says; 'not computed' with the reason where it lacks something."""
+        """Return the finding for a study: 'not computed', and why, if it lacks something."""
         try:
             return self.judge(study)
         except MissingError as lack:
@@ -140,7 +140,7 @@ def claim(
 
 
 def largest(name: str, numbers: Array, strain: Array) -> tuple[Value, Value]:
-    """Return the number of the largest size under a name, and the strain where it is."""
+    """Return the number of largest size under a name, and the strain at which it occurs."""
     worst = int(np.argmax(np.abs(numbers)))
     return Value(name, float(numbers[worst])), Value("at strain", float(strain[worst]))
 
@@ -151,7 +151,7 @@ def verdict_of(holds: bool) -> Verdict:
 
 
 def verdict_across(outcomes: Mapping[str, bool], what: str) -> tuple[Verdict, str]:
-    """Return the verdict over several versions of the model, and on what it depends.
+    """Return the verdict over several versions of the model, and what it depends on.
 
     Parameters
     ----------
@@ -170,5 +170,5 @@ def verdict_across(outcomes: Mapping[str, bool], what: str) -> tuple[Verdict, st
 
 
 def listed(numbers: Mapping[str, float], digits: int = 3) -> str:
-    """Return named numbers as a part of a sentence."""
+    """Return named numbers as part of a sentence."""
     return ", ".join(f"{number_text(v, digits)} ({name})" for name, v in numbers.items())

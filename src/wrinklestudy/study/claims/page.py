@@ -1,4 +1,4 @@
-"""The claims as one HTML page that needs nothing else."""
+"""The claims as one HTML page that needs no other file."""
 
 import math
 from collections import Counter
@@ -21,29 +21,29 @@ _CLASSES: dict[Verdict, str] = {
 }
 
 _FOOTNOTE = (
-    "Tolerances are stated with each claim and stand beside its rule in the program; every verdict "
-    "follows from the computed numbers by that rule. “Depends on”: the verdict is another one for "
-    "another version of the model or of the definition, which is named. “Not computed”: the study "
-    "lacks a case or a measurement, which is named. Strains of birth and decay come from the "
-    "eigenvalue problem of the flat sheet, maxima over strain from a parabola through the "
-    "computed states. What only an experiment can tell (plasticity, scatter, errors, agreement "
-    "with measured profiles) is not listed."
+    "Each tolerance is stated with its claim; every verdict follows from the computed numbers by "
+    "the rule of the claim. “Depends on”: the verdict differs between versions of the model or of "
+    "a definition, which are named. “Not computed”: the study lacks a case or a measurement, "
+    "which is named. Strains of birth and decay come from the eigenvalue problem of the flat "
+    "sheet, maxima over strain from a parabola through the computed states. What only an "
+    "experiment can tell (plasticity, scatter, errors, agreement with measured profiles) is not "
+    "listed."
 )
 
 
 @dataclass(frozen=True)
 class PageTable:
-    """A table of the page besides the claims.
+    """A table on the page besides the claims.
 
     Parameters
     ----------
     title : str
-        Its heading.
+        Heading.
     columns : sequence of str
     rows : sequence of sequences of str
         May be empty: the note then says what is missing.
     note : str
-        What stands below.
+        Text below the table.
     """
 
     title: str
@@ -58,7 +58,7 @@ def html_page(
     judged: Sequence[tuple[Claim, Finding]],
     tables: Sequence[ExtraTable],
 ) -> str:
-    """Return the page.
+    """Return the page of the claims.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ def html_page(
 
 
 def _entry(number: int, claim: Claim, finding: Finding) -> dict[str, Any]:
-    """Return what the template says of a claim."""
+    """Return a claim as the template needs it."""
     return {
         "number": number,
         "key": claim.key,

@@ -16,7 +16,7 @@ from wrinklestudy.typing import AnyPath
 
 _ATTRIBUTES = tuple(name for name in columns(SheetIdentity) if name != "material")
 _SYMBOLS = {"aspect": "L/W", "thickness": "t/W"}
-# Models of one material have the same initial modulus up to rounding
+# Models of the same material have the same initial modulus, up to rounding
 _SAME_MODULUS = 1e-9
 
 
@@ -31,7 +31,7 @@ class FittedMaterial:
     fit : Fit
         Constants of the law.
     note : str
-        Header of the data that it was fitted to.
+        Header of the data to which it was fitted.
     """
 
     name: str
@@ -41,12 +41,12 @@ class FittedMaterial:
 
 @dataclass(frozen=True, eq=False)
 class StudyTables:
-    """All sheets and materials, with the sheet that the paper's text is about.
+    """All sheets and materials of a study, with the sheet that the paper is about.
 
     Parameters
     ----------
-    sheets : tuple of Sheet
-    materials : tuple of Material
+    sheets : tuple of SheetStates
+    materials : tuple of FittedMaterial
     wanted : tuple of (str, float, float)
         Name of the model, L/W and t/W of the paper's sheet.
     """
@@ -85,7 +85,7 @@ class StudyTables:
         return material
 
     def select(self, *varied: str, **fixed: str | float) -> list[SheetStates]:
-        """Return the sheets that differ from the paper's sheet in nothing but what is named.
+        """Return the sheets that differ from the paper's sheet only in what is named.
 
         Parameters
         ----------
@@ -96,9 +96,9 @@ class StudyTables:
 
         Returns
         -------
-        list of Sheet
-            Sorted by the varied attributes, each combination once. They have the material of the
-            paper's sheet or, for another law, one fitted to the same data.
+        list of SheetStates
+            Sorted by the varied attributes, without repeated combinations. They have the material
+            of the paper's sheet or, for another law, one fitted to the same data.
         """
         base = self.sheet
         wanted = {name: getattr(base, name) for name in _ATTRIBUTES if name not in varied} | fixed
@@ -114,7 +114,7 @@ class StudyTables:
         )
 
     def sheet_with(self, **fixed: str | float) -> SheetStates:
-        """Return the one sheet that differs from the paper's sheet in the attributes given.
+        """Return the sheet that differs from the paper's sheet in the attributes given.
 
         Raises
         ------
@@ -132,18 +132,18 @@ class StudyTables:
         return {getattr(sheet, name): sheet for sheet in self.select(name, **fixed)}
 
     def _related(self, sheet: SheetStates, base: SheetStates) -> bool:
-        """Return whether two models have one material or, for two laws, one set of data."""
+        """Return whether two models have the same material or, for two laws, the same data."""
         if sheet.material == base.material:
             return True
-        mine, its = self._material_of(base), self._material_of(sheet)
-        if mine is None or its is None:
+        of_base, of_sheet = self._material_of(base), self._material_of(sheet)
+        if of_base is None or of_sheet is None:
             return False
         if sheet.law == base.law:
-            return mine.name == its.name
-        return mine.fit.source == its.fit.source
+            return of_base.name == of_sheet.name
+        return of_base.fit.source == of_sheet.fit.source
 
     def _material_of(self, sheet: SheetStates) -> FittedMaterial | None:
-        """Return the material of a model: of its name or, for a variant, of its modulus."""
+        """Return the material of a model: by name or, for a variant, by its modulus."""
         for material in self.materials:
             if material.name == sheet.material:
                 return material
@@ -178,8 +178,8 @@ def load(
     Raises
     ------
     ValueError
-        If a column is missing, a cell is not what its column allows, or a sheet does not stand in
-        all three tables; one line that names the file.
+        If a column is missing, a cell is not what its column allows, or a sheet is missing
+        from one of the three tables; one line that names the file.
     """
     from wrinklestudy.results.load import load_study
 

@@ -16,7 +16,7 @@ CLAIM_COLUMNS: dict[str, str] = {
     "key": "short name",
     "place": "section, figure or table where it is claimed",
     "statement": "what is claimed there, in the words of this project",
-    "reading": "how it is taken to be tested, where the statement leaves that open",
+    "reading": "how the statement is understood for the test, if it leaves that open",
     "computed": "what was computed, rounded",
     "tolerance": "when the study counts as agreeing",
     "verdict": "agree, disagree, depends on or not computed",

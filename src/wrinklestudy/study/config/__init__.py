@@ -1,4 +1,4 @@
-"""The config of a study: what may stand in it, and one clear line for each thing that may not."""
+"""The config of a study: what it may hold, and one clear line for each mistake."""
 
 from wrinklestudy.study.config.checks import ConfigError, load_config, parse_config
 from wrinklestudy.study.config.model import StudyConfig

@@ -1,4 +1,4 @@
-"""The blocks of a config: their keys, what each may be, its default and the stages that take it."""
+"""The blocks of a config: each key with its limits, its default and the stages that take it."""
 
 from collections.abc import Mapping
 from typing import Annotated, Any
@@ -32,12 +32,12 @@ Few = Annotated[int, within(Limits(1, 50)), Count]
 
 
 def of_stages(*stages: str) -> dict[str, Any]:
-    """Return what the schema says of a key that stages take: `StudyConfig.settings`."""
+    """Return the note in the schema that stages take a key; `StudyConfig.settings` reads it."""
     return {"stages": list(stages)}
 
 
 class Block(BaseModel):
-    """Keys that are known, and no others."""
+    """A block of known keys, and no others."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
@@ -56,7 +56,7 @@ class MaterialBlock(Block):
 
 
 class VariantBlock(Block):
-    """A material with another model of the sheet than the block plate says."""
+    """A material with a model of the sheet that differs from the block plate."""
 
     material: Name = Field(description="one of the materials")
     bending: BendingName | None = Field(default=None, description="law of bending")
@@ -78,7 +78,7 @@ def _strain_kind(value: Any) -> str:
 
 
 class SheetsBlock(Block):
-    """All combinations of the aspects, thicknesses and strains that are listed."""
+    """All combinations of the listed aspects, thicknesses and strains."""
 
     material: Name = Field(description="one of the materials or variants")
     aspect: Filled[Aspect] = Field(description="length over width, L/W")
@@ -165,7 +165,7 @@ class GateBlock(Block):
 
 
 class FigureSheetBlock(Block):
-    """The sheet that the figures of a single sheet show."""
+    """The sheet shown by the figures of a single sheet."""
 
     material: Name = Field(description="one of the materials or variants")
     aspect: Aspect = Field(description="length over width, L/W")

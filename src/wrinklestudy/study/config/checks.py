@@ -1,4 +1,4 @@
-"""A config is checked: each key, keys against each other, and the places that it names."""
+"""Checks of a config: each key, keys against each other, and the files and folders it names."""
 
 from collections.abc import Iterator, Sequence
 from os import PathLike, fspath
@@ -30,11 +30,11 @@ def load_config(
     Parameters
     ----------
     merged : object
-        What all files say together.
+        The content of all files together.
     files : sequence of path
-        The files, the one that goes over the others first.
+        The files, starting with the one that takes precedence.
     overridden : bool
-        Whether single keys were given on the command line besides (``--config``).
+        Whether single keys were also given on the command line (``--config``).
 
     Returns
     -------
@@ -44,8 +44,8 @@ def load_config(
     Raises
     ------
     ConfigError
-        As `parse_config`; besides, if a key stands twice in a file, a number is spelt such that
-        YAML reads another one, or a folder or file that the config names cannot be what it should.
+        As `parse_config`; also if a file has a key twice or spells a number so that YAML reads a
+        different one, or if a folder or file that the config names cannot be one.
     """
     names = [relpath(fspath(file)) for file in files]
     spellings = [line for name in names for line in misleading(name)]
@@ -58,7 +58,7 @@ def load_config(
 
 
 def parse_config(raw: Any, source: str) -> StudyConfig:
-    """Check the content of a config; no file that it names is looked at.
+    """Check the content of a config, without looking at the files it names.
 
     Parameters
     ----------
@@ -110,7 +110,7 @@ def wrong_places(study: StudyConfig) -> Iterator[str]:
 
 
 def _contradictions(study: StudyConfig) -> Iterator[str]:
-    """Yield the problems between keys that are right by themselves."""
+    """Yield the contradictions between keys that are right by themselves."""
     yield from _wrong_study(study)
     yield from _wrong_variants(study)
     known = [*study.materials, *study.variants]

@@ -62,7 +62,7 @@ class StudyConfig(Block):
 
     @property
     def figures_to_make(self) -> tuple[FigureEntry, ...]:
-        """The figures that the config names, all of the catalogue if it names none."""
+        """The figures that the config names, or all of the catalogue if it names none."""
         names = self.figures.names or self.catalogue.figure_names
         return tuple(self.catalogue.figure(name) for name in names)
 
@@ -78,7 +78,7 @@ class StudyConfig(Block):
         stage : str
             Name of the stage.
         model : str, optional
-            Material or variant; what a variant sets goes over the block plate.
+            Material or variant; a variant takes precedence over the block plate.
         """
         taken = {
             key: getattr(block, key)
@@ -93,7 +93,7 @@ class StudyConfig(Block):
 
     @cached_property
     def cases(self) -> tuple[Case, ...]:
-        """All cases, each once, sorted."""
+        """All cases, sorted and without repetitions."""
         return cases.cases((s.material, s.aspect, s.thickness, s.strains) for s in self.sheets)
 
     @cached_property
@@ -103,7 +103,7 @@ class StudyConfig(Block):
 
     @property
     def all_sheets(self) -> tuple[StudySheet, ...]:
-        """All sheets, each once, sorted."""
+        """All sheets, sorted and without repetitions."""
         return tuple(self._cases_by_sheet)
 
     def cases_of(self, sheet: StudySheet) -> tuple[Case, ...]:

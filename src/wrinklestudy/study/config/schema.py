@@ -18,8 +18,8 @@ def schema() -> dict[str, Any]:
     """Return the schema of a config file, draft 2020-12 of JSON Schema.
 
     A file given with ``--configfile`` holds only what differs from ``config.yaml``, and Snakemake
-    merges blocks key by key. So no key of a block is required here; a list replaces the whole list,
-    and what stands in its entries is complete.
+    merges blocks key by key. So no key of a block is required here. A list replaces the whole list,
+    so that its entries are complete.
     """
     whole = copy.deepcopy(StudyConfig.model_json_schema())
     _relax(whole, whole)
@@ -31,9 +31,9 @@ def schema() -> dict[str, Any]:
 
 
 def _relax(whole: dict[str, Any], block: dict[str, Any]) -> None:
-    """Take the required keys off a block and the blocks in it, but not in lists."""
+    """Make no key required in a block and in the blocks within it, except in lists."""
     block.pop("required", None)
-    if "patternProperties" in block:  # of names; pydantic leaves it open whether others may be
+    if "patternProperties" in block:  # of names; pydantic allows others
         block["additionalProperties"] = False
     inner = [*block.get("properties", {}).values(), *block.get("patternProperties", {}).values()]
     for value in inner:

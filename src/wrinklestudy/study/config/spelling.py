@@ -1,4 +1,4 @@
-"""What a reader of YAML loses without a word: keys that stand twice, numbers read as others."""
+"""What a reader of YAML gets wrong without a word: repeated keys, numbers read as others."""
 
 import re
 from collections.abc import Iterator
@@ -6,19 +6,19 @@ from pathlib import Path
 
 import yaml
 
-# What everybody reads as YAML does. Not these: 1_000, 010 (octal), 0x10, 1:30 (in sixties).
+# Numbers that people read as YAML does. Not these: 1_000, 010 (octal), 0x10, 1:30 (base 60).
 _PLAIN = re.compile(r"[-+]?(0|[1-9][0-9]*|[0-9]*\.[0-9]+|[0-9]+\.[0-9]*)([eE][-+]?[0-9]+)?")
 _NUMBERS = ("tag:yaml.org,2002:int", "tag:yaml.org,2002:float")
 _NOT_FINITE = re.compile(r"[-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN)")
 
 
 def misleading(path: str) -> list[str]:
-    """Return what is misleading in a YAML file, one line each with file, line and key.
+    """Return what is misleading in a YAML file: one line of text each, with file, line and key.
 
     Parameters
     ----------
     path : str
-        YAML or JSON file that can be read as such.
+        YAML or JSON file whose syntax is right.
     """
     root = yaml.compose(Path(path).read_text(encoding="utf-8"), Loader=yaml.SafeLoader)
     problems = [] if root is None else sorted(set(_problems(root, "")))
@@ -48,7 +48,7 @@ def _problems(node: yaml.Node, key: str) -> Iterator[tuple[int, str]]:
 
 
 def _is_odd(node: yaml.ScalarNode) -> bool:
-    """Whether a number is read as another one than it looks like."""
+    """Return whether YAML reads a number differently from how it looks."""
     text = node.value
     odd = not (_PLAIN.fullmatch(text) or _NOT_FINITE.fullmatch(text))
     return odd and node.tag in _NUMBERS and node.style is None

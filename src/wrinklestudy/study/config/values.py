@@ -1,8 +1,8 @@
-"""Values of a config: what each kind may be, as constraints that the JSON schema shows, too.
+"""Values of a config: what each kind may be, as constraints that are part of the JSON schema.
 
-A constraint is written down once. From the JSON schema that pydantic makes of it, editors check a
-config and `wording` says what is allowed; ``errorMessage`` and ``patternErrorMessage`` there are
-words for what a constraint alone would not explain.
+A constraint is written down once. Pydantic makes the JSON schema from it, with which editors check
+a config and `wording` says what is allowed; ``errorMessage`` and ``patternErrorMessage`` word what
+a constraint alone would not explain.
 """
 
 import os
@@ -23,16 +23,16 @@ from pydantic_core import PydanticCustomError, core_schema
 from wrinklestudy.results.cases import NAME_PATTERN
 from wrinklestudy.vocabulary import ASPECT, STRAIN, THICKNESS, Limits
 
-# YAML 1.1 takes 1e-3 for text (YAML 1.2, as everybody, for a number), and Snakemake takes each
-# number inside of --config 'mesh={cells_across: 14}' for text.
+# YAML 1.1 takes 1e-3 for text (YAML 1.2, like everybody, for a number), and Snakemake takes every
+# number inside --config 'mesh={cells_across: 14}' for text.
 _NUMBER = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?")
 _COUNT = re.compile(r"[0-9]{1,18}")
-# The type of the errors that say what is wrong by themselves.
+# The type of errors whose message says what is wrong.
 SAID = "said"
 
 
 def within(limits: Limits) -> Any:
-    """Return the constraint of a number to limits, with their unit for messages."""
+    """Return the constraint that a number lies within limits; messages name their unit."""
     return Field(
         gt=limits.lowest if limits.above_lowest else None,
         ge=None if limits.above_lowest else limits.lowest,
@@ -43,12 +43,12 @@ def within(limits: Limits) -> Any:
 
 @dataclass(frozen=True, eq=False)
 class OneOf:
-    """The constraint of a text to one of some names.
+    """The constraint that a text is one of some names.
 
     Parameters
     ----------
     names : collection of str
-        Looked at when a value is read: a registry may have grown since.
+        Read when a value is checked, since a registry may have grown.
     """
 
     names: Collection[str]
@@ -62,7 +62,7 @@ class OneOf:
     def __get_pydantic_json_schema__(
         self, core: core_schema.CoreSchema, handler: GetJsonSchemaHandler
     ) -> dict[str, Any]:
-        """Return what the JSON schema says of it."""
+        """Return its entry in the JSON schema."""
         return {**handler(core), "enum": list(self.names)}
 
     def _check(self, value: str) -> str:
@@ -93,9 +93,9 @@ def _no_boolean_no_text(value: Any) -> Any:
 
 
 def _normal(path: str) -> str:
-    """Return the one spelling of a path: ``~`` is the home folder; no ``./``, ``//`` or end ``/``.
+    """Return the one spelling of a path: home folder for ``~``; no ``./``, ``//`` or last ``/``.
 
-    Snakemake takes each spelling for another file.
+    Snakemake takes each spelling for a different file.
     """
     path = os.path.expanduser(path)
     if path.startswith("~"):

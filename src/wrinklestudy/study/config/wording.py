@@ -1,6 +1,6 @@
-"""Problems that pydantic finds in a config, as one line of text each.
+"""The problems that pydantic finds in a config, as one line of text each.
 
-What is allowed is told in words that follow from the JSON schema of the config.
+The words for what is allowed follow from the JSON schema of the config.
 """
 
 import datetime
@@ -32,8 +32,8 @@ def lines(root: type[BaseModel], errors: Sequence[ErrorDetails]) -> list[str]:
     errors : sequence of ErrorDetails
         From `pydantic.ValidationError.errors`.
     """
-    # A list with a wrong entry counts as too short besides: the entry is what is wrong. And what
-    # stands under a name that is no text can be checked once it has a name.
+    # A list with a wrong entry is also reported as too short: the entry is what is wrong. And what
+    # stands under a name that is not text can only be checked once it has a proper name.
     inner = {error["loc"][:k] for error in errors for k in range(len(error["loc"]))}
     unnamed = {
         error["loc"][:-1]
@@ -51,9 +51,9 @@ def lines(root: type[BaseModel], errors: Sequence[ErrorDetails]) -> list[str]:
 def _path(error: ErrorDetails) -> tuple[int | str, ...]:
     """Return the keys and indices that lead to the place of an error."""
     path = tuple(part for part in error["loc"] if part not in _TAGS)
-    if error["type"] == "invalid_key":  # no text, of a block with known keys
+    if error["type"] == "invalid_key":  # a key that is not text, in a block with known keys
         return (*path[:-1], str(path[-1]))
-    # of a name that is no text, pydantic gives another one here: 0 for false
+    # pydantic alters a name that is not text: 0 for false
     return (*path[:-2], _short(error["input"]).strip("'")) if _is_key(error) else path
 
 
@@ -61,7 +61,7 @@ def _line(root: type[BaseModel], error: ErrorDetails, path: tuple[int | str, ...
     schema, key, kind, value = _schema(root), _dotted(path), error["type"], error["input"]
     if kind == "missing" and isinstance(path[-1], str):
         return f"{key}: is missing: {_at(schema, path)['description']}"
-    if kind == "missing":  # an entry of a list of a fixed length
+    if kind == "missing":  # an entry of a list of fixed length
         path = path[:-1]
         key = _dotted(path)
     if kind in ("extra_forbidden", "invalid_key"):
@@ -85,7 +85,7 @@ def _schema(root: type[BaseModel]) -> Schema:
 
 
 def _at(schema: Schema, path: Sequence[int | str]) -> Schema:
-    """Return the part of a schema that is about what stands at a path."""
+    """Return the part of a schema that describes the value at a path."""
     node = schema
     for part in path:
         inner = (_entry(kind, part) for kind in _alternatives(schema, node))
@@ -94,7 +94,7 @@ def _at(schema: Schema, path: Sequence[int | str]) -> Schema:
 
 
 def _entry(node: Schema, part: int | str) -> Schema | None:
-    """Return what a schema says of one entry of a list or block; None if it has none such."""
+    """Return the schema of an entry of a list or block; None if it cannot have that entry."""
     if isinstance(part, int):
         fixed = node.get("prefixItems")
         return node.get("items") if fixed is None else fixed[part]
@@ -108,7 +108,7 @@ def _alternatives(schema: Schema, node: Schema) -> list[Schema]:
 
 
 def _resolved(schema: Schema, node: Schema) -> Schema:
-    """Return a part of a schema with what it refers to."""
+    """Return a part of a schema, with references replaced by what they refer to."""
     if "$ref" not in node:
         return node
     name = node["$ref"].rpartition("/")[2]
@@ -138,7 +138,7 @@ def _plain(bound: float) -> str:
 
 
 def _reading(node: Schema, value: Any) -> str:
-    """Return a hint where text is wanted and YAML reads what stands there as something else."""
+    """Return a hint where text is expected but YAML reads something else."""
     if node.get("type", "string") != "string":  # names have no type there: they are text
         return ""
     if isinstance(value, bool):
@@ -165,7 +165,7 @@ def _short(value: Any) -> str:
 
 
 def closest(word: str, known: Iterable[str]) -> str:
-    """Return the end of a message on an unknown word: the closest known one and all of them."""
+    """Return the end of a message about an unknown word: the closest known one, and all."""
     known = list(known)
     matches = difflib.get_close_matches(word, known, n=1)
     hint = f"did you mean {matches[0]}? " if matches else ""

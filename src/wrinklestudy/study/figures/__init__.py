@@ -1,1 +1,1 @@
-"""What figures share: their inputs, one style, measured data laid over them."""
+"""What figures share: inputs, style, and measured data drawn over the curves."""

@@ -19,19 +19,19 @@ _COLUMN = "amplitude_over_thickness"
 def draw(inputs: Inputs, varied: int, number: Callable[[float], float], symbol: str) -> Figure:
     """Draw max A/t over strain against a number of the sheet, and the curves A/t beside it.
 
-    The maximum lies between the states (`results.peaks`). Measured data has the highest point of
-    each sheet that shares what is not varied.
+    The maximum may lie between the states (`results.peaks`). Of measured data the highest point of
+    each sheet is drawn, if the sheet agrees in what is not varied.
 
     Parameters
     ----------
     inputs : Inputs
         Tables of the sheets and measured data.
     varied : int
-        What tells the sheets from each other: 0 for L/W, 1 for t/W.
+        What differs between the sheets: 0 for L/W, 1 for t/W.
     number : callable
-        What the figure is drawn against, as a function of that.
+        What the figure is drawn against, as a function of what differs.
     symbol : str
-        Its name in mathtext.
+        The name of that number in mathtext.
     """
 
     def place(sheet: SheetSize) -> float:
@@ -63,7 +63,7 @@ def draw(inputs: Inputs, varied: int, number: Callable[[float], float], symbol: 
 
 
 def _maximum(axes: Axes, sheet: SheetStates, look: Look, x: float) -> None:
-    """Draw the maximum of a sheet; at 0 if it never wrinkles, as a hole if it is not known."""
+    """Draw the maximum of a sheet: at 0 if it never wrinkles, as a hole if it is unknown."""
     highest = sheet.peak["max_amplitude_over_thickness"]
     if sheet.never_wrinkles:
         axes.plot([x], [0.0], "v", color=GREY, mfc="white", ms=5.0, mew=0.8, label="never wrinkles")

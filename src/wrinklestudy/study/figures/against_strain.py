@@ -13,7 +13,7 @@ from wrinklestudy.study.figures.series import labels, note
 from wrinklestudy.study.figures.style import GREY, Look, looks
 from wrinklestudy.study.measurements import Points, SheetSize
 
-# An axis begins this part of its highest value below zero: room for the marks of holes.
+# An axis begins this fraction of its highest value below zero, to leave room for marks of holes.
 BELOW = 0.09
 # Labels of marks that several series may have.
 SHARED = ("flat", "not converged", "birth, decay")
@@ -86,7 +86,7 @@ def finish(figure: Figure, axes: Axes, series: list[SheetStates]) -> float:
 
 
 def legend(figure: Figure, axes: Axes, series: list[SheetStates], columns: int = 2) -> None:
-    """Put a legend above the axes, which names what the series have in common."""
+    """Put a legend above the axes that names what the series have in common."""
     names = labels(series)
     style.grow(figure, style.legend_above(axes, names, note(series), columns=columns))
     if len(series) > 1:  # marks that several series share have no colour

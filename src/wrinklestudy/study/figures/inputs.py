@@ -36,7 +36,7 @@ class StateFile:
     parity : {'antisymmetric', 'symmetric'}
         Of the wrinkle.
     sheet : DeformedSheet or None
-        Its shape; None where it did not converge.
+        The deformed sheet; None if it did not converge.
     """
 
     strain: float
@@ -95,7 +95,7 @@ class Inputs:
         Raises
         ------
         ValueError
-            If there is no table, or one has no rows or is not a table of states.
+            If there is no table, or a table has no rows or is not one of states.
         """
         if not self.metrics:
             raise ValueError("metrics: no table given, this figure shows sheets")
@@ -107,7 +107,7 @@ class Inputs:
         Raises
         ------
         ValueError
-            If there is none, or they are not of one sheet.
+            If there are none, or they are not all of the same sheet.
         """
         states = sorted((_load_state(path) for path in self.states), key=lambda state: state.strain)
         if not states:

@@ -1,4 +1,4 @@
-"""How measured data is laid over a figure: black stars, with bars or a band of their error."""
+"""Measured data drawn over a figure: black stars, with bars or a band for their error."""
 
 from collections.abc import Sequence
 
@@ -33,7 +33,7 @@ def bars(
         ms=5.5,
         mew=0.6,
         elinewidth=0.5,
-        zorder=1.5,  # what is computed lies on top
+        zorder=1.5,  # below what is computed
         label=label,
     )
 

@@ -11,7 +11,7 @@ _ATTRIBUTES = tuple(name for name in columns(SheetIdentity) if name != "material
 
 
 def labels(sheets: Sequence[SheetStates]) -> list[str]:
-    """Return what tells each sheet from the others: its law if there is but one."""
+    """Return what tells each sheet from the others; the law if there is only one sheet."""
     varied = [
         name for name in _ATTRIBUTES if len({getattr(sheet, name) for sheet in sheets}) > 1
     ] or ["law"]
@@ -32,7 +32,7 @@ def labels(sheets: Sequence[SheetStates]) -> list[str]:
 
 
 def note(series: Sequence[SheetStates]) -> str:
-    """Return what all sheets have in common and their labels do not say."""
+    """Return what all sheets have in common and their labels leave out."""
     first, parts = series[0], []
     if len({sheet.law for sheet in series}) == 1 and len(series) > 1:
         parts.append(law_label(first.law))
@@ -47,7 +47,7 @@ def note(series: Sequence[SheetStates]) -> str:
 
 
 def number(value: float) -> str:
-    """Return a number in mathtext without dollar signs: a power of ten if it is small."""
+    """Return a number in mathtext without dollar signs; small numbers as powers of ten."""
     if value >= 0.01:
         return f"{value:g}"
     digits, exponent = f"{value:.6e}".split("e")
