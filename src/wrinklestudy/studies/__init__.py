@@ -1,1 +1,1 @@
-"""Studies: each a folder with its theory, figures and claims."""
+"""The studies that come with the package, each a folder with theory, figures and claims."""

@@ -1,4 +1,4 @@
-"""What this study shows: the figures of the paper that can be computed, its claims, its Table I."""
+"""What this study shows: the figures of the paper that can be computed, the claims, Table I."""
 
 from wrinklestudy.study.catalogue import Catalogue, FigureEntry, TableEntry
 from wrinklestudy.study.selections import (
@@ -106,7 +106,7 @@ _FIGURES = (
         name="fig07_confinement",
         panel="7b",
         title="confinement",
-        caption="Confinement, what the arc width exceeds the projected width by, against strain.",
+        caption="Confinement, the excess of arc width over projected width, against strain.",
         part=_FAR,
         module=f"{_HERE}.figures.fig07_confinement",
         sheets=figure_sheet,

@@ -12,7 +12,7 @@ from wrinklestudy.study.claims.extra_table import ExtraTable
 from wrinklestudy.study.claims.tables import StudyTables
 from wrinklestudy.typing import Array
 
-# Strains of the table; of each the nearest wrinkled state is taken, once
+# Strains of the table; the nearest wrinkled states are shown, without repetitions
 STRAINS = (0.05, 0.1, 0.2, 0.3)
 LARGEST = "largest deviation"
 
@@ -29,17 +29,17 @@ class Table1Row:
     quantity : str
         W_act or W_proj.
     strain : float
-        Of the state.
+        Strain of the state.
     computed : float
         Width of the computed state.
     planar : float
         Width of the flat state of this strain.
     current, original : str
-        What the paper's version and the original Cerda-Mahadevan model take for it.
+        Formulas of the paper's version and of the original Cerda-Mahadevan model.
     current_value, original_value : float
-        The same as numbers; NaN where there is no formula.
+        Their values; NaN where there is no formula.
     note : str
-        Empty, or in which column the deviation is the largest of all wrinkled states.
+        Empty, or the column in which the deviation is the largest of all wrinkled states.
     """
 
     quantity: str
@@ -114,7 +114,7 @@ def _cells(row: Table1Row) -> tuple[str, ...]:
 
 
 def _note(lines: Sequence[Table1Row]) -> str:
-    """Return what stands in the columns without numbers of their own."""
+    """Return the note on the formulas behind the columns."""
     formulas = "; ".join(
         sorted({f"{line.quantity} = {line.current} ({line.original})" for line in lines})
     )

@@ -1,4 +1,4 @@
-"""Closed forms that the study compares with, after Panaitescu et al. (2019).
+"""Closed forms with which the study compares, after Panaitescu et al. (2019).
 
 A. Panaitescu, M. Xin, B. Davidovitch, J. Chopin, A. Kudrolli, Phys. Rev. E 100, 053003 (2019),
 called "the paper" here; its equations are named by the labels of its LaTeX source. Strain is
@@ -69,7 +69,7 @@ def uniaxial_hookean(strain: ArrayLike, young: float = 1.0) -> Array:
     Hooke's law between true stress and strain, sigma = Y eps; the cross-section of an
     incompressible strip shrinks by 1 / (1 + eps), so that the force per undeformed area is
     sigma / (1 + eps). The paper's section II names such a material beside SVK without an equation.
-    This one is taken because incompressibility must enter: in T = Y eps it would not.
+    This form is used because incompressibility must enter, which in T = Y eps it would not.
 
     Parameters
     ----------

@@ -62,7 +62,7 @@ def zero_outside(study: StudyTables) -> Finding:
     tolerance=f"rises before its maximum and falls after it, but for {WIGGLE:.0%} of the maximum",
 )
 def non_monotonic(study: StudyTables) -> Finding:
-    """Look for a single maximum of the confinement."""
+    """Look for a single maximum of the confinement over strain."""
     sheet = study.sheet
     strain, phi = sheet.wrinkled("strain", "phi_squared")
     top = int(np.argmax(phi))
@@ -92,7 +92,7 @@ def non_monotonic(study: StudyTables) -> Finding:
     tolerance="the nearest power of ten of the largest ratio is 1/10, for both averages",
 )
 def order_of_magnitude(study: StudyTables) -> Finding:
-    """Compare the confinement with nu eps, for both ways to average it."""
+    """Compare the confinement with nu eps, for both ways of averaging it."""
     sheet = study.sheet
     values, outcomes, words = [], {}, []
     for name, column in AVERAGES.items():
@@ -115,7 +115,7 @@ def order_of_magnitude(study: StudyTables) -> Finding:
 @claim(
     order=(4, 3, 9),
     place="Sec. IV.C",
-    statement="Φ² turns over at strains so small that the material is still nearly Hookean.",
+    statement="Φ² starts to fall at strains so small that the material is still nearly Hookean.",
     reading="At the strain where Φ² is largest the stress is still close to its initial slope.",
     tolerance=f"within {HOOKEAN:.0%} of the initial slope at that strain",
 )

@@ -148,7 +148,7 @@ def thin_enough(study: StudyTables) -> Finding:
 @claim(
     order=(4, 1, 1),
     place="Sec. IV.A",
-    statement="The strain at which wrinkles come up goes to zero with the thickness.",
+    statement="The strain at which wrinkles appear goes to zero with the thickness.",
     reading="The birth strain falls with the thickness, like a positive power of it.",
     tolerance="lower for each thinner sheet of the series",
 )

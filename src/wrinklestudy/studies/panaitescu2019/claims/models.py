@@ -39,8 +39,8 @@ def neo_hookean_smaller(study: StudyTables) -> Finding:
     common = [k for k, eps in enumerate(strain) if _has(other, eps)]
     if not common:
         raise MissingError(f"an amplitude at the strains of {sheet.label}, of {other.label}")
-    its = np.array([other.at(_AMPLITUDE, eps) for eps in strain[common]])
-    excess = float((its - mine[common]).max() / mine.max())
+    of_other = np.array([other.at(_AMPLITUDE, eps) for eps in strain[common]])
+    excess = float((of_other - mine[common]).max() / mine.max())
     largest = sheet.peak_value("max_amplitude_over_thickness")
     lower = other.peak_value("max_amplitude_over_thickness")
     return Finding(
@@ -127,12 +127,12 @@ def material_nonlinearity(study: StudyTables) -> Finding:
 )
 def svk_much_lower(study: StudyTables) -> Finding:
     """Compare the decay strains, each bending law by itself."""
-    mine, its = study.sheets_by("bending"), study.sheets_by("bending", law=SVK)
-    if not its:
+    sheets, svk = study.sheets_by("bending"), study.sheets_by("bending", law=SVK)
+    if not svk:
         raise MissingError(f"a sheet like {study.sheet.label} but law = {SVK}")
-    persist = ends(its)
-    own = {name: mine.get(name, study.sheet) for name in its}
-    lower = {name: its[name].wrinkles and shorter(its[name], own[name], MUCH_LOWER) for name in its}
+    persist = ends(svk)
+    own = {name: sheets.get(name, study.sheet) for name in svk}
+    lower = {name: svk[name].wrinkles and shorter(svk[name], own[name], MUCH_LOWER) for name in svk}
     verdict, what = verdict_across(lower, BENDING)
     return Finding(
         verdict,
@@ -140,9 +140,9 @@ def svk_much_lower(study: StudyTables) -> Finding:
             *(Value(f"decay strain, SVK, {name}", end) for name, end in persist.items()),
             *(Value(f"decay strain, {s.law}, {s.bending}", s.end) for s in _distinct(own)),
         ),
-        f"SVK decays at {listed(persist)}. {_holes(its)}".strip(),
+        f"SVK decays at {listed(persist)}. {_holes(svk)}".strip(),
         what,
-        (*its.values(), *_distinct(own)),
+        (*svk.values(), *_distinct(own)),
     )
 
 

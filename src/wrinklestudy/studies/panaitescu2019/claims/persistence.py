@@ -32,7 +32,7 @@ def ends(sheets: dict[str, SheetStates]) -> dict[str, float]:
 
 
 def shorter(sheet: SheetStates, other: SheetStates, factor: float) -> bool:
-    """Return whether wrinkles end below a factor times the strain up to which another's persist.
+    """Return whether wrinkles end below a multiple of the strain up to which those of another do.
 
     Raises
     ------
@@ -47,7 +47,7 @@ def shorter(sheet: SheetStates, other: SheetStates, factor: float) -> bool:
 
 
 def bending_values(persist: dict[str, float]) -> tuple[Value, ...]:
-    """Return those strains as values."""
+    """Return these strains as values of a finding."""
     return tuple(Value(f"decay strain, {name}", end) for name, end in persist.items())
 
 

@@ -40,7 +40,7 @@ def _points(sheet: SheetStates, average: str, above: float = 0.0) -> tuple[Array
 
 
 def _slope(points: tuple[Array, Array]) -> float:
-    """Return C of the straight line through the origin that fits A = C lambda Phi best."""
+    """Return C of the best straight line A = C lambda Phi through the origin."""
     product, height = points
     return float(height @ product / (product @ product))
 
@@ -103,9 +103,9 @@ def constant_is_one(study: StudyTables) -> Finding:
 
 
 def _why(full: float, central: float) -> str:
-    """Return why the two averages differ, if the wrinkles fade toward the edges."""
+    """Return why the two averages differ, if the wrinkles fade towards the edges."""
     if full <= central:
-        return "The wrinkles do not fade toward the edges."
+        return "The wrinkles do not fade towards the edges."
     return (
         f"A sinusoid has C = {theory.SINUSOID_CONSTANT:.3f}; over the full width Φ² is lower than "
         "over the central crest, because the wrinkles fade toward the edges, and C is higher."

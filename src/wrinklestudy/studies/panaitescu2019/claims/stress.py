@@ -53,7 +53,7 @@ def young_modulus(study: StudyTables) -> Finding:
         f"The mean slope T/ε falls to the stated value only at ε = {reached:.2f}, so that 1 MPa "
         "describes the curve as a whole, not its beginning."
         if reached > strain[0]
-        else "The mean slope T/ε has not the stated value anywhere on the curve."
+        else "The mean slope T/ε does not have the stated value anywhere on the curve."
     )
     return Finding(
         verdict_of(abs(off) <= MODULUS),

@@ -147,11 +147,11 @@ def antisymmetric(study: StudyTables) -> Finding:
     odd, even = study.sheet_with(parity="antisymmetric"), study.sheet_with(parity="symmetric")
     strain, energy, flat = odd.wrinkled("strain", "energy", "flat_energy")
     even_strain, even_energy = even.wrinkled("strain", "energy")
-    common, mine, its = np.intersect1d(strain, even_strain, return_indices=True)
+    common, odd_at, even_at = np.intersect1d(strain, even_strain, return_indices=True)
     if not len(common):
         raise MissingError("a strain at which both parities are computed and wrinkled")
-    gain = flat[mine] - energy[mine]
-    above = (energy[mine] - even_energy[its]) / gain  # > 0 where the symmetric state is lower
+    gain = flat[odd_at] - energy[odd_at]
+    above = (energy[odd_at] - even_energy[even_at]) / gain  # > 0 where the symmetric state is lower
     kept = gain >= RELEVANT * gain.max()
     above = above[kept]
     largest, lower = float(np.abs(above).max()), int((above < 0.0).sum())

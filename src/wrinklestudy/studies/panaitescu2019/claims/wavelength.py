@@ -62,7 +62,7 @@ def scaled_wavelength(study: StudyTables) -> Finding:
 @claim(
     order=(4, 2, 2),
     place="Sec. IV.B, Fig. 5b",
-    statement="Close to the threshold theory and data differ more, as they should.",
+    statement="Close to the threshold, theory and data differ more, as expected.",
     reading="Near the birth strain the computed wavelength is farther from 0.8 times the "
     "equation than elsewhere.",
     tolerance=f"the deviation at the wrinkled state next to birth (below {NEAR_THRESHOLD:g} times "

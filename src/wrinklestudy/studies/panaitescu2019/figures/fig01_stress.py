@@ -2,8 +2,8 @@
 
 The paper's panel shows T/Y of latex with the fitted Mooney-Rivlin curve, Saint Venant-Kirchhoff
 and an incompressible Hookean sheet. It states Y = 1 MPa, while the initial slope of its own
-constants is 6 (C10 + C01) = 1.32 MPa: the stated modulus is used and both stand in the panel.
-Any other material (Treloar's rubber) has a panel of its own in MPa, with every fit made to it.
+constants is 6 (C10 + C01) = 1.32 MPa: the stated modulus is used, and the panel gives both.
+Every other material (Treloar's rubber) has its own panel in MPa, with all fits made to it.
 The user's own measured stress is drawn in the first panel.
 """
 
@@ -23,7 +23,7 @@ from wrinklestudy.study.figures import measured, style
 from wrinklestudy.study.figures.inputs import Inputs
 from wrinklestudy.study.measurements import Points
 
-# File name of the curve that the paper's own figure shows.
+# File name of the curve that the paper's figure shows.
 PAPER_SOURCE = "latex_panaitescu2019.csv"
 
 _PASCAL_PER_MPA = 1.0e6
@@ -108,7 +108,7 @@ def _paper_panel(axes: Axes, fits: list[Fit], data: Measurement | None) -> None:
 
 
 def _short_label(fit: Fit, end: float) -> str:
-    """Return the law of a fit and what it is fitted to, if that is not the whole curve."""
+    """Return the law of a fit, and the range of the fit if that is not the whole curve."""
     window = fit.stretch_range[1] - 1.0
     if law_of(fit.law).small_strain:
         return f"{style.law_label(fit.law)}, initial slope"

@@ -2,7 +2,7 @@
 
 Grey is the light that a matt surface sends up, n . l with the true unit normal n and the light l
 at 25 degrees above the sheet to its left, as a multiple of that of the flat sheet. All panels have
-one scale of length and of grey. The undeformed sheet is a rectangle and needs no computation.
+the same scales of length and of grey. The undeformed sheet is a rectangle and needs no computation.
 """
 
 import numpy as np

@@ -3,7 +3,7 @@
 The caption of the paper's figure gives the strain as (L - L0)/W0 = 0.12, which would be 0.06 of its
 own definition (L - L0)/L0: both are shown. The paper gives its colour bar in thicknesses too, 2.5;
 at t/W = 1e-3 it is 3.5 t. The surface is seen obliquely from above with the deflection drawn
-larger than it is, by the factor that the figure states; the two dashed lines bound the central 80%
+larger than it is, by the factor given in the figure; the two dashed lines bound the central 80%
 of the length, the part that the paper scanned.
 """
 
@@ -26,7 +26,7 @@ SCANNED = 0.8
 EXAGGERATION = 10.0
 _SAMPLES = (3, 8)  # per cell along and across
 _AZIMUTH, _ELEVATION = np.radians(-72.0), np.radians(40.0)
-_CMAP = "coolwarm"  # its middle is grey, which leaves room for light and shade
+_CMAP = "coolwarm"  # grey in the middle, which leaves room for light and shade
 _LIGHT = np.array([0.25, -0.55, 0.8]) / np.linalg.norm([0.25, -0.55, 0.8])
 
 

@@ -1,7 +1,7 @@
 """Fig. 4: profiles half-way between the clamps, shifted up in proportion to the strain.
 
-Panel (b) of the paper shows the computed profiles; where scanned profiles of the same sheet are
-given, they are panel (a) beside it, on the same scale, with offset, tilt and noise removed.
+Panel (b) of the paper shows the computed profiles; scanned profiles of the same sheet, if
+given, are panel (a) beside it, on the same scale, with offset, tilt and noise removed.
 """
 
 from collections.abc import Sequence
@@ -26,7 +26,7 @@ Curve = tuple[float, Profile | None]
 
 
 def draw(inputs: Inputs) -> Figure:
-    """Draw z(y) of every state given at the height of its strain; words where none converged."""
+    """Draw z(y) of every state at the height of its strain, or a note if none converged."""
     states = inputs.loaded_states()
     first = states[0]
     computed = [(state.strain, _profile(state)) for state in states]

@@ -1,4 +1,4 @@
-"""Fig. 6a: largest amplitude over strain against L/W, and the curves that it is taken from."""
+"""Fig. 6a: largest amplitude over strain against L/W, and the curves from which it is taken."""
 
 from matplotlib.figure import Figure
 

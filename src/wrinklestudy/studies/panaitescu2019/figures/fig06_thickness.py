@@ -1,4 +1,4 @@
-"""Fig. 6b: largest amplitude over strain against W/t, and the curves that it is taken from."""
+"""Fig. 6b: largest amplitude over strain against W/t, and the curves from which it is taken."""
 
 from matplotlib.figure import Figure
 

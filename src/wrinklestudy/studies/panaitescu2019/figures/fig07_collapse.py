@@ -1,6 +1,6 @@
 """Fig. 7d: amplitude against Phi lambda beyond eps = 0.15, for several L/W.
 
-The caption of the paper says both eps > 0 and eps > 0.15: the second is taken.
+The caption in the paper says both eps > 0 and eps > 0.15; the second is used.
 """
 
 import numpy as np

@@ -1,6 +1,6 @@
 """Fig. 7b: confinement Phi^2 = (W_act - W_proj)/W_proj against strain.
 
-The inset shows the same points on a logarithmic scale beside nu eps, what the original
+The inset shows the same points on a logarithmic scale beside nu eps, which the original
 Cerda-Mahadevan model assumes.
 """
 

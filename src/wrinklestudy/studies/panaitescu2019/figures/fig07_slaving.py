@@ -10,7 +10,7 @@ from wrinklestudy.study.figures.inputs import Inputs
 
 
 def draw(inputs: Inputs) -> Figure:
-    """Draw A/t against Phi lambda/t of the wrinkled states, arrows toward larger strain."""
+    """Draw A/t against Phi lambda/t of the wrinkled states, arrows towards larger strain."""
     series = inputs.series
     figure, axes = style.panel(height=5.4)
     farthest, highest = measured.slaving(axes, inputs.scans_of([sheet.size for sheet in series]))

@@ -43,7 +43,7 @@ def finish(axes: Axes, farthest: float, highest: float, holes: int) -> None:
     farthest, highest : float
         Largest Phi lambda/t and A/t, 0 without points.
     holes : int
-        Number of states that did not converge, which have no place in this plane.
+        Number of states that did not converge, which cannot be drawn in this plane.
     """
     farthest, highest = 1.08 * (farthest or 1.0), 1.12 * (highest or 1.0)
     _line(axes, 1.0, "$C = 1$", "-", min(farthest, highest))
