@@ -1,5 +1,5 @@
-# The study from measured stress-strain curves to figures and claims. What is computed stands in
-# config.yaml, how to compute it in src/wrinklestudy; here is only what depends on what.
+# The study from measured stress-strain curves to figures and claims. What to compute is in
+# config.yaml, how to compute it in src/wrinklestudy; the rules say what depends on what.
 from snakemake.utils import min_version
 
 min_version("9.20")
@@ -26,7 +26,7 @@ rule all:
 
 
 # Snakemake 9 limits the jobs per second by default, and then every job that ends leaves a timer
-# that wakes the scheduler each second up to the end; no option turns that off, and a longer time
+# that wakes the scheduler every second until the end; no option turns that off, and a longer time
 # span keeps Snakemake from ending. For 300 jobs of 0.6 s on two cores, it takes 10 s of CPU with the
 # timers, 3 s without (Snakemake 9.27).
 onstart:

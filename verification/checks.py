@@ -13,7 +13,7 @@ Comparison = Literal["absolute", "relative", "at most", "at least", "more than"]
 
 @dataclass(frozen=True)
 class Check:
-    """One number with what it must be.
+    """A number, and what it must be.
 
     Parameters
     ----------
@@ -24,7 +24,7 @@ class Check:
     expected : float
         Closed form, independent value or bound.
     tolerance : float
-        Largest deviation, absolute or in parts of `expected`; not used for bounds.
+        Largest deviation, absolute or relative to `expected`; not used for bounds.
     kind : {'absolute', 'relative', 'at most', 'at least', 'more than'}
         How the two are compared; 'more than' is not passed by the bound itself.
     reason : str
@@ -40,7 +40,7 @@ class Check:
 
     @property
     def passed(self) -> bool:
-        """Whether the value is what it must be; NaN never is."""
+        """Whether the value is as it must be; NaN never is."""
         if math.isnan(self.value):
             return False
         if self.kind == "at most":
@@ -93,14 +93,14 @@ class Group:
 
 
 def conclusion(holds: bool, yes: str, no: str) -> str:
-    """Return the sentence that the numbers allow; NaN in a comparison makes it not hold.
+    """Return the sentence that the numbers support; a comparison with NaN does not hold.
 
     Parameters
     ----------
     holds : bool
-        What was computed.
+        Whether the statement holds, from the computed numbers.
     yes, no : str
-        What is said if it holds, and if it does not.
+        The sentence if it holds, and if it does not.
     """
     return yes if holds else no
 

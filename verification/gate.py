@@ -1,4 +1,4 @@
-"""The last word of the verification: it fails if a check failed or a mutation went unnoticed."""
+"""The gate of the verification: it fails if a check failed or a mutation went unnoticed."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -31,7 +31,7 @@ def run(
     mutations : path, optional
         JSON file of the mutations that were tried: each group needs one, and all must be caught.
     page : path, optional
-        Not read: it must be there before this fails.
+        Not read; named so that the page is there before this fails.
 
     Raises
     ------

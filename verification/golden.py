@@ -27,21 +27,21 @@ DISCRETISATION, ROUNDING = "difference to the finer mesh", "rounding"
 SEARCH = "accuracy of the search"
 TRELOAR = Path("data/treloar1944.csv")
 
-# Smallest tolerances in parts of the value: of numbers from a mesh, of those without one
+# Smallest relative tolerances: of numbers from a mesh, of numbers without one
 _LEAST = {DISCRETISATION: 1e-7, ROUNDING: 1e-9}
-_STRAIN, _ENDS = 1e-5, ("birth", "decay")  # to which these strains are found
+_STRAIN, _ENDS = 1e-5, ("birth", "decay")  # accuracy of these strains
 
 
 @dataclass(frozen=True)
 class Golden:
-    """A number that must stay.
+    """A number that must stay as it is.
 
     Parameters
     ----------
     value, tolerance : float
         Tolerance is absolute.
     basis : str
-        Where the tolerance comes from.
+        Origin of the tolerance.
     """
 
     value: float
@@ -127,7 +127,7 @@ def numbers(cells: tuple[int, int]) -> dict[str, float]:
 
 
 def constants() -> dict[str, float]:
-    """Return numbers that no mesh enters: constants fitted to Treloar's rubber, in Pa."""
+    """Return numbers without a mesh: constants fitted to Treloar's rubber, in Pa."""
     uniaxial = fit(TRELOAR, "mooney-rivlin", stretch=(1.0, 1.65), modes=["uniaxial"])
     every = fit(TRELOAR, "mooney-rivlin", stretch=(1.0, 1.65))
     return {
@@ -157,7 +157,7 @@ def write(kept: dict[str, Golden], output: Path) -> None:
     Raises
     ------
     FileExistsError
-        If the file is there: old numbers are not replaced by accident.
+        If the file exists, so that old numbers are not replaced by accident.
     """
     if output.exists():
         raise FileExistsError(f"{output}: exists; remove it first to replace the golden numbers")

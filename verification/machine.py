@@ -1,4 +1,4 @@
-"""On what kind of processor and with which versions the verification ran."""
+"""The kind of processor and the versions with which the verification ran."""
 
 import platform
 from importlib.metadata import PackageNotFoundError, version
@@ -23,7 +23,7 @@ def run(output: AnyPath, groups: object = None) -> None:  # noqa: ARG001
     ----------
     output : path
     groups : object
-        Not read: the groups that ran here before.
+        Not read; named so that this runs after the groups.
     """
     write_json(output, facts())
 
@@ -54,7 +54,7 @@ def processor(cpuinfo: Path) -> str:
 
 
 def kernels() -> list[str]:
-    """Return the BLAS libraries that are loaded with the kernels that they chose."""
+    """Return the BLAS libraries that are loaded, with the kernels they chose."""
     versions = {
         f"{library['internal_api']} {library['version']}"
         + (f" ({library['architecture']})" if library.get("architecture") else "")

@@ -1,4 +1,4 @@
-"""Mutations of the code: faults put into a copy of it, to see that the checks catch them.
+"""Mutations of the code: faults put into a copy of it, to see whether the checks catch them.
 
 Each mutation replaces one text in one file of a temporary copy of the package and runs the quick
 checks of its group on that copy in a new process. It is caught by the checks that then fail, or by
@@ -37,7 +37,7 @@ class Mutation:
     Parameters
     ----------
     group : str
-        Whose quick checks must catch it.
+        The group whose quick checks must catch it.
     what : str
         The fault in words.
     file : str
@@ -177,7 +177,7 @@ MUTATIONS = (
 
 
 def run(output: Path | str, mutations: Sequence[Mutation] = MUTATIONS) -> None:
-    """Try all mutations and write which checks caught each; reads data from the current folder.
+    """Try all mutations and write which checks caught each, with data from the current folder.
 
     Parameters
     ----------
@@ -187,7 +187,7 @@ def run(output: Path | str, mutations: Sequence[Mutation] = MUTATIONS) -> None:
     Raises
     ------
     ValueError
-        If a quick check fails without any mutation, or the old text of one does not occur once.
+        If a quick check fails without any mutation, or an old text does not occur exactly once.
     """
     with TemporaryDirectory() as folder:
         for group in dict.fromkeys(mutation.group for mutation in mutations):
@@ -219,7 +219,7 @@ def apply(mutation: Mutation, source: Path) -> None:
 def failures(source: Path, group: str) -> list[str]:
     """Return the quick checks of a group that fail with the package in a folder.
 
-    An error that stops the checks counts as one, under its last line.
+    An error that stops the checks counts as a failure, named by its last line.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The page of the verification: what each group computed, with its tables and plots."""
+"""The page of the verification: what each group computed, with tables and plots."""
 
 import shutil
 from collections.abc import Sequence
@@ -63,9 +63,9 @@ def section(group: dict[str, Any], mutations: Sequence[dict[str, Any]]) -> dict[
     Parameters
     ----------
     group : dict
-        What `checks.write` wrote.
+        The content of a file of `checks.write`.
     mutations : sequence of dict
-        All that were tried; those of other groups are left out.
+        All mutations that were tried; those of other groups are left out.
     """
     own = [mutation for mutation in mutations if mutation["group"] == group["name"]]
     caught = sum(bool(mutation["caught_by"]) for mutation in own)
@@ -99,7 +99,7 @@ def check_row(check: dict[str, Any]) -> list[str]:
 
 
 def requirement(check: dict[str, Any]) -> str:
-    """Return in a few signs what the value of a check must be."""
+    """Return in a few characters what the value of a check must be."""
     expected = number(check["expected"])
     signs = {"at most": "<=", "at least": ">=", "more than": ">"}
     if check["kind"] in signs:
@@ -112,5 +112,5 @@ def requirement(check: dict[str, Any]) -> str:
 
 
 def bounded(value: float | None) -> str:
-    """Return a number that is only held against a bound: two digits, the others are rounding."""
+    """Return a number that is only compared with a bound, to two digits; the rest is rounding."""
     return number(None if value is None else float(f"{value:.1e}"))

@@ -192,7 +192,7 @@ def _smooth(strains: Array, values: Array) -> tuple[Array, Array]:
 
 
 def decay_text(decay: Decays, ratios: Mapping[str, float]) -> str:
-    """Say where wrinkles vanish, and how much of that the bending law alone decides.
+    """Say where wrinkles vanish, and how much of that is due to the bending law alone.
 
     Parameters
     ----------
@@ -254,7 +254,7 @@ def disagreement_text(decay: Decays) -> str:
         f"The paper sees wrinkles up to about {PAPER_DECAY:g}; it quotes analyses with similar "
         f"dimensions that end near {OTHERS_DECAY:g} and suspects the constants. Computed: from "
         f"10:1 with `fvk` to the paper's constants with `thinning` is a step of {step:.2f}. With "
-        "one and the same law the constants account for "
+        "the same law throughout, the constants account for "
         f"{', '.join(f'{v:.2f} ({b})' for b, v in by_constants.items())}. Read: "
         + conclusion(
             explain,

@@ -32,7 +32,7 @@ def _stretch() -> tuple[list[Check], Table]:
         case = f"{name}, {mode} {stretch:g}"
         error = (abs(found.along - along) + abs(found.across - across)) / along
         curve = float(nominal_stress(Material(law, 1.0), stretch, mode))
-        reason = "the homogeneous state lies in the space; what remains is rounding"
+        reason = "the homogeneous state lies in the space; only rounding remains"
         fitted = "the curve that the material stage fits is that of the sheet"
         checks += [
             Check(f"{case}: nominal stresses", error, 1e-11, kind="at most", reason=reason),
@@ -234,7 +234,7 @@ def _plot(strip: list[float], plate: list[float], path: Path) -> None:
 
 
 def quick() -> list[Check]:
-    """Return the cheap checks of the group: all but the buckled strips."""
+    """Return the cheap checks of the group: all except the buckled strips."""
     return [*_stretch()[0], *_stiffness()[0], *_flexure()[0], *_plate()[0]]
 
 

@@ -21,7 +21,7 @@ STRAINS = (0.06, 0.2, 0.37)
 DEFAULT = (MeshSettings().cells_along, MeshSettings().cells_across)
 MESHES = ((12, 18), (16, 24), DEFAULT, (36, 54), (48, 72))
 FITTED = 4  # the finest meshes that a limit is fitted to
-# Largest error of the default mesh, in parts of the limit
+# Largest relative error of the default mesh
 BARS = {
     "energy": (2e-5, "the energy is nearly all that of the flat state"),
     "relief": (0.02, "energy that wrinkles save, a difference of 1e-5 of the energies"),
@@ -81,7 +81,7 @@ def quantities(sheet: Sheet, strain: float) -> dict[str, float]:
     }
 
 
-Columns = dict[str, list[float]]  # of each quantity the values on all meshes
+Columns = dict[str, list[float]]  # the values of each quantity on all meshes
 
 
 def _sweep() -> dict[float, tuple[Columns, dict[str, Limit]]]:

@@ -199,7 +199,7 @@ def _plot(sweep: Sequence[ErrorOnMesh], path: Path) -> None:
 
 
 def monomials_text(sweep: Sequence[ErrorOnMesh], others: Sequence[str] = ()) -> str:
-    """Say what became of scikit-fem's own element.
+    """Say how scikit-fem's own element does.
 
     Parameters
     ----------

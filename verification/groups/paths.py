@@ -63,7 +63,7 @@ def quick() -> list[Check]:
             last.energy,
             alone.energy,
             seeding.AGREE,
-            reason="the state at that strain found on its own",
+            reason="the state at that strain, computed on its own",
         ),
         Check(
             f"short branch to strain {last.strain:.4f}: largest difference of the dofs in t",
@@ -71,7 +71,7 @@ def quick() -> list[Check]:
             / THICKNESS,
             1e-6,
             kind="at most",
-            reason="the state at that strain found on its own",
+            reason="the state at that strain, computed on its own",
         ),
     ]
 
@@ -126,13 +126,13 @@ def minima_text(seeded: Sequence[SeededMinima]) -> str:
 
 
 def same_text(runs: Sequence[Traced]) -> str:
-    """Say whether the branches pass through the states that were found one by one."""
+    """Say whether the branches pass through the states that were computed one by one."""
     worst = max(max(run.energies, run.amplitudes) for run in runs)
     return (
         conclusion(
             worst <= AGREE,
-            "pass through the same states as those found one by one",
-            "do not pass through the states found one by one",
+            "pass through the same states as those computed one by one",
+            "do not pass through the states computed one by one",
         )
         + f" (largest difference of energies, relative, and of A/t: {worst:.0e})"
     )
@@ -170,9 +170,9 @@ def _text(runs: list[Traced], rows: dict[str, list[Landau]], seeded: Sequence[Se
     rise, fall = (slopes(rows[name])[0] for name in ("downward", "upward"))
     special = [kind for run in runs for kind, _ in run.branch.special]
     return (
-        f"Each state is found from its flat state alone. {minima_text(seeded)} At t/W = {THIN:g} "
-        f"the flat sheet has {' and '.join(str(case.unstable) for case in thin)} unstable modes."
-        "\n\n"
+        f"Each state is computed from its flat state alone. {minima_text(seeded)} At t/W = "
+        f"{THIN:g} the flat sheet has {' and '.join(str(case.unstable) for case in thin)} "
+        "unstable modes.\n\n"
         f"A continuation upward from strain {STARTS['upward']:g} and one downward from "
         f"{STARTS['downward']:g} {same_text(runs)}. The special points on them are "
         f"{'; '.join(special)}. {onset_text(rise, fall, stiff, special.count('fold'))} Meshes: "

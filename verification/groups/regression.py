@@ -33,7 +33,7 @@ _CHILD = (
 
 
 class Repeat(NamedTuple):
-    """One way to compute the same state again."""
+    """A way to compute the same state again."""
 
     name: str
     bound: float
@@ -42,7 +42,7 @@ class Repeat(NamedTuple):
 
 
 def fingerprint(mesh: tuple[int, int]) -> list[float]:
-    """Return numbers of a wrinkled state in all their digits: `_NAMES`, then |w| at every node."""
+    """Return numbers of a wrinkled state with all digits: `_NAMES`, then |w| at every node."""
     state = Sheet(2.0, THICKNESS, LATEX, mesh=MeshSettings(*mesh)).solve(STRAIN)
     equilibrium, measures = state.equilibrium, state.measures
     modes = equilibrium.planar.modes
@@ -86,7 +86,7 @@ def repeats(mesh: tuple[int, int]) -> list[Repeat]:
     """Return how much the numbers of one state differ between ways to compute it."""
     first = _elsewhere(mesh, 1)
     here = fingerprint(mesh)
-    same = "bit for bit: nothing random, nothing left over from before"
+    same = "bit for bit: nothing is random, nothing is left over from before"
     return [
         Repeat("twice in one process", 0.0, same, difference(here, fingerprint(mesh))),
         Repeat("two processes, one thread", 0.0, same, difference(first, _elsewhere(mesh, 1))),

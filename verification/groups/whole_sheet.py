@@ -63,7 +63,7 @@ def _stability_checks(done: ParityPairs) -> list[Check]:
                 sum(c.unstable for c in group),
                 0.0,
                 kind="at most",
-                reason="a state that is found must be a minimum in the three other classes",
+                reason="a state that was computed must be a minimum in the three other classes",
             )
             for parity, group in zip(PARITIES, others, strict=True)
         ),
@@ -72,7 +72,7 @@ def _stability_checks(done: ParityPairs) -> list[Check]:
             min(stiffest),
             0.05,
             kind="at least",
-            reason="far from zero: the verdict does not hang on rounding or on the mesh",
+            reason="far from zero: the verdict does not depend on rounding or on the mesh",
         ),
         Check(
             "strains at which exactly one parity is stable to sliding",
@@ -107,7 +107,7 @@ def _sliding_checks(done: ParityPairs) -> list[Check]:
             max(errors),
             0.06,
             kind="at most",
-            reason="inertia and energies of states that were found one by one tell the same",
+            reason="inertia and energies of states that were computed one by one tell the same",
         ),
         Check(
             "exchange of stability: antisymmetric against symmetric, largest difference",

@@ -1,1 +1,1 @@
-"""What the groups compute with: problems and states of their own, closed forms, sweeps."""
+"""What the groups compute with: problems, states, closed forms, sweeps."""

@@ -45,7 +45,7 @@ class Buckling(NamedTuple):
 
 
 def euler(law: Law, bending: str, thickness: float, cells: int) -> Buckling:
-    """Return the compression at which the smallest stiffness of the flat strip vanishes."""
+    """Return the compression at which the lowest stiffness of the flat strip vanishes."""
     space, free = _strip(cells)
     free[:2] = False
     section = Section(law, thickness, bending)

@@ -1,4 +1,4 @@
-"""How far energy, residual and tangent are from belonging together, and what rigid motions cost."""
+"""How well energy, residual and tangent belong together, and what rigid motions cost."""
 
 import warnings
 from collections.abc import Callable
@@ -129,7 +129,7 @@ def assembled_errors(
 ) -> tuple[float, float, float]:
     """Return relative errors of residual and tangent, and the asymmetry of the residual's slope.
 
-    Along random directions in which every dof counts alike (the tangent's diagonal becomes 1).
+    The directions are random, and every dof counts alike (the tangent's diagonal becomes 1).
 
     Parameters
     ----------
@@ -138,7 +138,7 @@ def assembled_errors(
     slope : callable
         Derivative of the energy along a direction, without the residual.
     start : (n,) array
-        Where.
+        The unknowns at which to compare.
     """
     _, residual, tangent = derivatives(start)
     scale = 1.0 / np.sqrt(np.abs(tangent.diagonal()))

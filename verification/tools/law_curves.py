@@ -24,7 +24,7 @@ from wrinklestudy.mechanics.laws import Material
 from wrinklestudy.typing import Array
 
 MESH, AMPLITUDE_MESH = (24, 36), (16, 24)
-# Material and largest strain that is looked at
+# Material and largest strain considered
 MATERIALS: dict[str, tuple[Material, float]] = {
     "MR of the paper": (LATEX, 0.64),
     "MR 10:1": (TEN_TO_ONE, 0.36),

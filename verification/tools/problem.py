@@ -20,8 +20,8 @@ _MAX_STEPS = 12
 class LoadedSheet(PlateProblem):
     """Energy of a sheet over its free dofs less the work of a dead load, in units of mu W^3.
 
-    Energy, residual and tangent are those that `problem.PlateProblem` has too; only the boundary
-    conditions and the load differ.
+    Energy, residual and tangent are those of `problem.PlateProblem`; only the boundary conditions
+    and the load differ.
 
     Parameters
     ----------
@@ -74,13 +74,13 @@ class LoadedSheet(PlateProblem):
         """Return the position of least energy from the first guess, (3, size).
 
         The safeguarded minimisation goes down to the given part of the energy; plain Newton steps
-        do the rest, because the energy of an unstretched sheet that is bent a little drowns in the
+        do the rest, because the energy of an unstretched, slightly bent sheet is lost in the
         rounding of W(a), so that no line search on it can end.
 
         Raises
         ------
         ArithmeticError
-            If it is not found.
+            If no equilibrium is reached.
         """
         start = self.prescribed[self.assembler.free]
         solver = make_solver()

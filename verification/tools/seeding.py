@@ -14,7 +14,7 @@ from wrinklestudy.typing import Array
 
 SIZES = (0.3, 1.0, 3.0)  # of single modes, in parts of the amplitude that their own energy asks for
 _MIXES = 4
-_SAME = 1e-6  # relative difference of the energies that two states save, below which they are one
+_SAME = 1e-6  # relative difference of the energies saved, below which two states are the same
 AGREE = 1e-8  # relative; what one and the same state must keep
 _SETTINGS = WrinkleSettings(max_iterations=150)
 
@@ -25,7 +25,7 @@ class SeededMinima(NamedTuple):
     planar: Planar
     thickness: float
     unstable: int  # modes of the flat state
-    states: tuple[tuple[str, Equilibrium], ...]  # one for each seed, with its name
+    states: tuple[tuple[str, Equilibrium], ...]  # one per seed, with its name
 
     @property
     def converged(self) -> list[Equilibrium]:

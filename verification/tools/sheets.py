@@ -19,7 +19,7 @@ from wrinklestudy.typing import Array
 from wrinklestudy.vocabulary import Parity
 
 ASPECT, THICKNESS = 2.0, 1.0e-3
-# Those that have closed forms here and are found in published analyses
+# The laws that have closed forms here and are used in published analyses
 BENDING_LAWS = ("thinning", "fixed-thickness", "fvk")
 PARITIES: tuple[Parity, Parity] = ("antisymmetric", "symmetric")
 
@@ -36,7 +36,7 @@ def quarter(along: int, across: int, aspect: float = ASPECT, thickness: float = 
 
 
 def planar_state(state: flat.Flat, material: Material, settings: PlanarSettings) -> Planar:
-    """Return the planar state that belongs to a flat state which is known already."""
+    """Return the planar state of a flat state that is already known."""
     modes = critical_modes(state, settings.bending, settings.symmetry, settings.modes)
     grid = state.space.grid
     return Planar(grid, material, "material", state.strain, settings, state, modes)
@@ -79,7 +79,7 @@ def wrinkled(planar: Planar, thickness: float) -> Equilibrium:
 
 
 class SolvedState(NamedTuple):
-    """What is known of an equilibrium that converged."""
+    """What is known about an equilibrium that converged."""
 
     flat: flat.Flat
     space: Space

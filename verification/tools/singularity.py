@@ -12,7 +12,7 @@ from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics import membrane
 from wrinklestudy.mechanics.laws import mooney_rivlin
 
-# Of each strain the cell heights at the corner and the largest energy densities
+# By strain: cell heights at the corner and largest energy densities
 Densities = dict[float, list[tuple[float, float]]]
 
 C10, C01 = 6.21e4, 1.58e5  # Pa
@@ -52,7 +52,7 @@ def halved(grid: Grid, times: int) -> Grid:
 
 def peak_density(space: Space, strain: float) -> tuple[float, float]:
     """Return the cell height at the corner and the largest energy density W of the flat state."""
-    # at small strain the energy W(a) of cancelling terms is not known to more digits
+    # at small strain the terms of W(a) cancel, so that it is not known to more digits
     state = flat.solve(space, MATERIAL.law, strain, newton.NewtonOptions(tolerance=1e-14))
     gradient = space.derivatives(state.position, 2)
     density = membrane.energy(MATERIAL.law, gradient)

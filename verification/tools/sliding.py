@@ -36,7 +36,7 @@ STRAINS = (0.026, 0.03, 0.04, 0.05, 0.06, 0.07, 0.1, 0.14, 0.2, 0.3, 0.32, 0.36,
 SPECTRA = (0.06, 0.2)  # where the eigenvalues of all classes are computed
 MESH, FINER = (12, 54), (12, 72)
 COARSER = ((12, 24), (12, 36))
-_ROOT, _NEAR = 3e-4, 1e-3  # accuracy of a root; how far from it another one is looked for
+_ROOT, _NEAR = 3e-4, 1e-3  # accuracy of a root; how far from it the next one is sought
 
 
 class Pair(NamedTuple):

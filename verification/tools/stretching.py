@@ -26,7 +26,7 @@ _SHAKE = 0.02  # of the first guess, in parts of a cell
 
 
 class Stretched(NamedTuple):
-    """Nominal stresses in units of mu, and how far the state is from a homogeneous one."""
+    """Nominal stresses in units of mu, and how far the state is from being homogeneous."""
 
     along: float
     across: float

@@ -1,4 +1,4 @@
-"""Branches over strain against states found one by one and against the reduced energy."""
+"""Branches over strain, against states computed one by one and against the reduced energy."""
 
 from typing import NamedTuple
 
@@ -14,15 +14,15 @@ from wrinklestudy.equilibrium.planar import solve as solve_planar
 
 MESH = (12, 18)
 STARTS = {"upward": 0.03, "downward": 0.385}
-EVERY = 5  # each which point of a branch is solved again on its own
+EVERY = 5  # every how many points of a branch one is solved again on its own
 _WIDE = (0.0, 1.0)
-# A/t below which the state is so soft that the tolerance of the solver shows in its digits
+# A/t below which a state is so soft that the tolerance of the solver shows
 _SOFT = 0.1
 _NEAR = 0.5  # A/t below which amplitudes are compared to the reduced energy
 
 
 class Traced(NamedTuple):
-    """A branch with what was found on its own at some of its strains."""
+    """A branch, and how states computed on their own at some of its strains compare."""
 
     name: str
     branch: Branch
@@ -102,14 +102,14 @@ def checks(run: Traced, root: float, rows: list[Landau]) -> list[Check]:
     slope, expected = slopes(rows)
     return [
         Check(
-            f"{run.name}: energy against states found alone, {run.compared} strains",
+            f"{run.name}: energy against states computed alone, {run.compared} strains",
             run.energies,
             AGREE,
             kind="at most",
             reason="the same equilibrium; relative",
         ),
         Check(
-            f"{run.name}: A/t against states found alone",
+            f"{run.name}: A/t against states computed alone",
             run.amplitudes,
             AGREE,
             kind="at most",
@@ -121,7 +121,7 @@ def checks(run: Traced, root: float, rows: list[Landau]) -> list[Check]:
             root,
             2e-5,
             "absolute",
-            "root of tau_1(eps) = t from the flat states, found to 1e-5",
+            "root of tau_1(eps) = t from the flat states, known to 1e-5",
         ),
         Check(
             f"{run.name}: folds",

@@ -34,7 +34,7 @@ rule claims:
     params:
         study=STUDY.study,
         sheet=astuple(STUDY.figure_sheet),
-        # of the further tables
+        # captions of the further tables
         caption=[entry.caption for entry in CATALOGUE.tables],
         code=code_of_claims(),
     script:

@@ -14,7 +14,7 @@ from wrinklestudy.study.config import ConfigError, load_config
 from wrinklestudy.study.digest import code_digest
 from wrinklestudy.study.loading import claim_modules, sources
 
-# Of files given with --configfile the last goes over those before, and all go over config.yaml.
+# Of the files given with --configfile the last takes precedence, and all go over config.yaml.
 given = len(workflow.overwrite_configfiles)
 config_files = [*reversed(workflow.configfiles[:given]), *workflow.configfiles[given:]]
 try:
@@ -23,20 +23,20 @@ except ConfigError as error:
     sys.exit(str(error))
 
 CATALOGUE = STUDY.catalogue
-# for the first page of the report, which sees nothing but the config
+# for the first page of the report, which sees only the config
 config["report"] = {"title": CATALOGUE.title, "citation": CATALOGUE.citation}
 
 PATHS = Paths(STUDY.folders.results, STUDY.folders.figures)
 
-# What is asked for by name need not stand in the config. Snakemake tells no Snakefile its targets, and
-# of a path that no rule fits only that; so each word of the command line that is the path of a result is
-# looked at here, before anything runs.
+# A file asked for by name need not be in the config. Snakemake tells no Snakefile its targets, and of a
+# path that fits no rule it says only that; so each word of the command line that is the path of a result
+# is checked here, before anything runs.
 for word in sys.argv[1:]:
     if fault := targets.refusal(word, STUDY, PATHS):
         sys.exit(fault)
 
 
-# {material} is a material or a variant of one, but in files of the stage material
+# {material} is a material or, except in files of the stage material, a variant of one
 wildcard_constraints:
     material=NAME_PATTERN,
     figure=NAME_PATTERN,
@@ -111,7 +111,7 @@ def wrinkle_of_sheet(wildcards):
 
 
 def inputs_of_figure(wildcards):
-    """Only what a figure shows: materials, tables of some sheets, states, measurements."""
+    """What a figure shows and nothing else: materials, tables of some sheets, states, measurements."""
     figure = CATALOGUE.figure(wildcards.figure)
     materials = figure_contents.materials_shown(STUDY, figure)
     sheets = figure_contents.sheets_shown(STUDY, figure)
@@ -132,12 +132,12 @@ def all_sheets(output):
 
 
 def of_figure(content):
-    """A part of what the report says of the figure in the wildcard, as a function."""
+    """What the report says about the figure in the wildcard, as a function for params."""
     return lambda wildcards: content(STUDY, CATALOGUE.figure(wildcards.figure))
 
 
 def study_digest():
-    """Digest of all that the results follow from: config, code, measured data."""
+    """Digest of all that the results depend on: config, code, measured data."""
     codes = [code(stage) for stage in STAGES]
     codes += [code_of_claims(), *(code_of_figure(figure.name) for figure in STUDY.figures_to_make)]
     files = {material.data for material in STUDY.materials.values()}
@@ -151,10 +151,10 @@ def study_digest():
 
 
 def all_targets(_wildcards):
-    """All that is wanted; of a finished study only what it has lost since, if anything.
+    """Everything wanted; of a finished study only the files lost since, if there are any.
 
-    Snakemake would leave a lost file alone as long as nothing needs it, and once it makes it again,
-    run everything that comes after it.
+    Snakemake would not miss a lost file as long as nothing needs it and, once it makes it again,
+    would run everything that comes after it.
     """
     gate, wanted = Path(PATHS.pattern("gate")), plan.wanted_files(STUDY, PATHS)
     if gate.exists() and json.loads(gate.read_text()).get("study") == study_digest():

@@ -1,4 +1,4 @@
-# Last of all, so that the figures are there to look at when it fails.
+# Last of all, so that the figures are there when it fails.
 rule gate:
     input:
         plan.wanted_files(STUDY, PATHS),  # to be there when it fails

@@ -1,4 +1,4 @@
-"""The stage of a rule: named inputs and params go to its `run` as they are called in the rule.
+"""Run the stage of a rule: `run` gets named inputs and params under their names in the rule.
 
 `output` is a path, or a mapping where the outputs have names. Inputs without a name are only waited
 for; `code` and `caption` are for Snakemake and the report.
