@@ -83,6 +83,12 @@ def copy_of_the_project(folder: Path) -> Study:
 
 
 @pytest.fixture(scope="session")
+def project():
+    """The function that copies the project into a folder."""
+    return copy_of_the_project
+
+
+@pytest.fixture(scope="session")
 def finished_quick(tmp_path_factory):
     """The finished quick study; not to be changed."""
     study = copy_of_the_project(tmp_path_factory.mktemp("quick"))
