@@ -1,6 +1,8 @@
 """The flat state of the stretched sheet; it does not depend on the thickness."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from scipy import sparse
@@ -158,6 +160,7 @@ def solve(
     strain: float,
     options: newton.NewtonOptions | None = None,
     symmetry: Symmetry = QUARTER,
+    observer: newton.Observer | None = None,
 ) -> Flat:
     """Return the flat equilibrium of a clamped sheet stretched by a strain.
 
@@ -172,6 +175,8 @@ def solve(
     options : newton.NewtonOptions, optional
     symmetry : Symmetry
         Mirrors that bound the grid.
+    observer : newton.Observer, optional
+        Is told of each iteration.
 
     Raises
     ------
@@ -181,18 +186,24 @@ def solve(
     space = grid if isinstance(grid, Space) else Space(grid)
     options = options or newton.NewtonOptions(noise=ROUNDING)
     problem = MembraneProblem(space, law, stretched(space, strain, symmetry), symmetry)
-    minimum = _load(problem, strain, options)
+    observe = None if observer is None else partial(observer, "flat state")
+    minimum = _load(problem, strain, options, observe)
     if not minimum.converged:
         raise NotConvergedError(f"flat state at strain {strain:g}: {minimum.reason}")
     position, force = problem.position(minimum.unknowns), problem.force(minimum.unknowns)
     return Flat(space, law, strain, position, minimum.energy, force, minimum.history, symmetry)
 
 
-def _load(problem: MembraneProblem, strain: float, options: newton.NewtonOptions) -> newton.Minimum:
+def _load(
+    problem: MembraneProblem,
+    strain: float,
+    options: newton.NewtonOptions,
+    observe: Callable[[newton.Iteration], None] | None,
+) -> newton.Minimum:
     """Minimise from the first guess; where that fails approach the strain in steps."""
     free, space = problem.assembler.free, problem.assembler.space
     solver, symmetry = problem.assembler.solver, problem.symmetry
-    at_once = newton.minimise(problem, problem.prescribed[free], solver, options)
+    at_once = newton.minimise(problem, problem.prescribed[free], solver, options, observe)
     if at_once.converged:
         return at_once
     reached, step, correction = 0.0, 0.5 * strain, np.zeros_like(problem.prescribed)
@@ -205,7 +216,7 @@ def _load(problem: MembraneProblem, strain: float, options: newton.NewtonOptions
             loaded = MembraneProblem(space, problem.law, guess, symmetry)
         # What the load so far did to the sheet beyond the first guess of its strain
         start = (loaded.prescribed + correction)[free]
-        minimum = newton.minimise(loaded, start, solver, options)
+        minimum = newton.minimise(loaded, start, solver, options, observe)
         if not minimum.converged:
             step *= 0.5
         elif last:

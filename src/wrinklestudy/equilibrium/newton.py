@@ -5,8 +5,9 @@ definite and the energy falls, by a shorter step or, as in Levenberg's and Marqu
 larger shift. The factorisation tells whether it is definite.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from scipy import sparse
@@ -26,6 +27,13 @@ class Iteration(NamedTuple):
     step: float
     shift: float
     fresh: float  # 1 for a new tangent, 0 for a step with the last one
+
+
+class Observer(Protocol):
+    """Who wants to know how a solve goes on."""
+
+    def __call__(self, stage: str, last: Iteration | None) -> None:
+        """Be told of the stage that runs, and of its last iteration if it has any."""
 
 
 @dataclass(frozen=True)
@@ -109,7 +117,13 @@ _QUASI_GAIN = 10.0
 _ROUNDED = 10.0
 
 
-def minimise(problem: Problem, start: Array, solver: Solver, options: NewtonOptions) -> Minimum:
+def minimise(
+    problem: Problem,
+    start: Array,
+    solver: Solver,
+    options: NewtonOptions,
+    observe: Callable[[Iteration], None] | None = None,
+) -> Minimum:
     """Minimise an energy from a start, by Newton's method with shifts of the tangent.
 
     A minimum is accepted only where the unshifted tangent is positive definite.
@@ -124,6 +138,8 @@ def minimise(problem: Problem, start: Array, solver: Solver, options: NewtonOpti
         Sparse factorisation.
     options : NewtonOptions
         Tolerance and limits.
+    observe : callable, optional
+        Is told of each iteration with a new tangent.
 
     Returns
     -------
@@ -145,6 +161,8 @@ def minimise(problem: Problem, start: Array, solver: Solver, options: NewtonOpti
             break
         scaled = float(np.abs(here.residual / np.sqrt(np.abs(tangent.diagonal()))).max())
         history.append(Iteration(energy, scaled, step.decrement, step.length, step.shift, 1.0))
+        if observe is not None:
+            observe(history[-1])
         if step.shift == 0.0 and _converged(history, options):
             reason = ""
             break
