@@ -9,7 +9,7 @@ from typing import Any
 from wrinklestudy.equilibrium import planar, stability, wrinkled
 from wrinklestudy.equilibrium.newton import Observer
 from wrinklestudy.fem.grid import MeshSettings, make_grid
-from wrinklestudy.fem.size import ProblemSize, available_memory
+from wrinklestudy.fem.size import ProblemSize, available_memory, gigabytes
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics.bending import bending_law_of
 from wrinklestudy.mechanics.laws import Material
@@ -147,7 +147,7 @@ class Sheet:
             times = f"{jobs} jobs, each with " if jobs > 1 else ""
             raise MemoryError(
                 f"L/W = {self.aspect:g}, t/W = {self.thickness:g} needs "
-                f"{times}{self.size.text(wrinkled)}; {available / 1e9:.2g} GB are available"
+                f"{times}{self.size.text(wrinkled)}; {gigabytes(available)} are available"
             )
 
     @cached_property

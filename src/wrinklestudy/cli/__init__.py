@@ -1,5 +1,6 @@
 """Command line: one sheet, its stability, or one fit. Results go to stdout, progress to stderr."""
 
+import gc
 import os
 import sys
 from collections.abc import Sequence
@@ -8,6 +9,8 @@ from wrinklestudy.cli.output import answer_of, discard, put
 from wrinklestudy.cli.outputs import WriteError
 from wrinklestudy.cli.parser import COMMANDS, parse
 
+# New objects before Python looks for garbage: imports make many, and none of them is garbage.
+_OBJECTS = 100_000
 _INTERRUPTED = 130  # 128 + SIGINT, as shells have it
 
 
@@ -23,6 +26,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     # The factorisations are small: more threads than one only get in each other's way.
     for name in ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
         os.environ.setdefault(name, "1")
+    gc.set_threshold(_OBJECTS)
     words = sys.argv[1:] if argv is None else argv
     name = next((f"wrinklestudy {word}" for word in words[:1] if word in COMMANDS), "wrinklestudy")
     try:

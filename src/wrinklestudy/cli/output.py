@@ -2,7 +2,6 @@
 
 import contextlib
 import os
-import shutil
 import sys
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -56,6 +55,7 @@ def table(names: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
 
 def wrapped(text: str) -> str:
     """Return sentences in lines as wide as a terminal, at most 80 columns."""
+    import shutil
     import textwrap
 
     return textwrap.fill(text, min(shutil.get_terminal_size().columns, 80)) + "\n"

@@ -2,7 +2,7 @@
 
 import argparse
 from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, NoReturn
 
 from wrinklestudy.cli import fit, solve, stability
 from wrinklestudy.cli.numbers import is_negative
@@ -25,10 +25,10 @@ COMMANDS = {
 }
 
 
-class StoreOnce(argparse.Action):
-    """Store a value, and refuse a second one: the first would be lost without a word.
+class _Store(argparse.Action):
+    """Store a value; ``namespace.given`` has the names of all options that were given.
 
-    ``namespace.given`` has the names of all options that were given, for rules between them.
+    A default cannot be told from a value otherwise, where options go with others or do not.
     """
 
     def __call__(
@@ -39,12 +39,17 @@ class StoreOnce(argparse.Action):
         option_string: str | None = None,
     ) -> None:
         """Store the value."""
-        del parser
-        given: frozenset[str] = getattr(namespace, "given", frozenset())
-        if option_string is not None and self.dest in given:
-            raise argparse.ArgumentError(self, "is given twice")
-        namespace.given = given | {self.dest}
+        del parser, option_string
+        namespace.given = namespace.given | {self.dest}
         setattr(namespace, self.dest, values)
+
+
+class _Parser(argparse.ArgumentParser):
+    """A parser whose errors are one line."""
+
+    def error(self, message: str) -> NoReturn:
+        """Say what is wrong and stop."""
+        self.exit(2, f"{self.prog}: {message} (--help lists the options)\n")
 
 
 class _Version(argparse.Action):
@@ -64,7 +69,7 @@ def parse(argv: Sequence[str]) -> argparse.Namespace:
     Only the command that is asked for gets its options: they come from the registry of laws, which
     needs numpy, and `--help` alone does without.
     """
-    parser = argparse.ArgumentParser(
+    parser = _Parser(
         prog="wrinklestudy",
         description="Wrinkles in stretched hyperelastic sheets.",
         allow_abbrev=False,
@@ -74,7 +79,7 @@ def parse(argv: Sequence[str]) -> argparse.Namespace:
     for name, command in COMMANDS.items():
         sub = commands.add_parser(name, help=command.help, allow_abbrev=False)
         for action in (None, "store"):
-            sub.register("action", action, StoreOnce)
+            sub.register("action", action, _Store)
         sub.set_defaults(given=frozenset())
         if name in argv[:1]:
             command.add_options(sub)

@@ -1,6 +1,5 @@
 """Progress on stderr: a line that tells what a long solve is doing, on a terminal only."""
 
-import shutil
 import sys
 import time
 from dataclasses import dataclass, field
@@ -27,6 +26,8 @@ class StatusLine:
     def show(self, text: str) -> None:
         """Show a text once the patience is over."""
         if self.stream.isatty() and time.monotonic() - self.start > _PATIENCE:
+            import shutil
+
             width = shutil.get_terminal_size().columns - 1
             self.stream.write(f"\r\x1b[2K{text[:width]}")
             self.stream.flush()
@@ -66,13 +67,12 @@ class SolveProgress:
             self.stage, self.iteration = stage, 0
             self.since = time.monotonic()
         words = f"{self.label}: {stage}"
+        numbers = ""
         if last is not None:
             self.iteration += 1
-            words += (
-                f", iteration {self.iteration}, decrement {last.decrement:.1e}, "
-                f"energy {last.energy:.6g}"
-            )
-        self.line.show(f"{words}; about {duration(self.seconds_left())} left")
+            words += f", iteration {self.iteration}"
+            numbers = f" (decrement {last.decrement:.1e}, energy {last.energy:.6g})"
+        self.line.show(f"{words}, about {duration(self.seconds_left())} left{numbers}")
 
     def seconds_left(self) -> float:
         """Return a rough estimate from the size of the mesh and the iterations so far."""

@@ -1,11 +1,8 @@
 """States of one sheet, solved by this process or by several, and the files of each."""
 
-import multiprocessing
 import signal
 import sys
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -39,8 +36,8 @@ def solve_all(tasks: Sequence[Task], jobs: int) -> list[dict[str, Any]]:
 
     Raises
     ------
-    ChildProcessError
-        If one of several processes was killed.
+    MemoryError
+        If one of several processes was killed, which is what systems do where memory is short.
     """
     if jobs == 1 or len(tasks) == 1:
         return [_shown(task, k, len(tasks)) for k, task in enumerate(tasks, 1)]
@@ -49,6 +46,10 @@ def solve_all(tasks: Sequence[Task], jobs: int) -> list[dict[str, Any]]:
 
 def _parallel(tasks: Sequence[Task], jobs: int) -> Iterator[dict[str, Any]]:
     """Yield the values of the states that several processes of one thread each solve."""
+    import multiprocessing
+    from concurrent.futures import ProcessPoolExecutor
+    from concurrent.futures.process import BrokenProcessPool
+
     context = multiprocessing.get_context("spawn")  # BLAS does not outlive a fork
     pool = ProcessPoolExecutor(jobs, context, initializer=_quiet_end)
     try:

@@ -47,11 +47,16 @@ class ProblemSize:
 
     def text(self, wrinkled: bool = True) -> str:
         """Return what solving takes in words."""
-        memory = self.memory(wrinkled) / _GIGABYTE
         return (
             f"{self.along} x {self.across} cells, {self.unknowns:,} unknowns, "
-            f"about {memory:.2g} GB of memory"
+            f"about {gigabytes(self.memory(wrinkled))} of memory"
         )
+
+
+def gigabytes(size: float) -> str:
+    """Return a number of bytes in words."""
+    value = size / _GIGABYTE
+    return f"{value:.0f} GB" if value >= 10.0 else f"{value:.2g} GB"
 
 
 def available_memory() -> float:
