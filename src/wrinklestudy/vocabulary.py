@@ -50,6 +50,6 @@ class Limits:
 ASPECT = Limits(0.5, 20.0, unit="L/W")
 # The mesh of a thinner sheet fits in no memory; at smaller strains energies are mostly rounding.
 THICKNESS = Limits(1e-6, 0.05, unit="t/W")
-STRAIN = Limits(1e-6, 1.0)
+STRAIN = Limits(1e-7, 1.0)
 # Cells of the quarter of the reference sheet, along or across.
 CELLS = Limits(2, 500)

@@ -38,6 +38,8 @@ def run(arguments: argparse.Namespace) -> Answer:
         return value
 
     found = stability.find(reported, chosen.thickness)
+    if not found.critical_thickness:
+        raise ArithmeticError("the sheet has no flat state at any of the strains that were tried")
     if plot is not None:
         write(plot, lambda path: _draw(chosen, size, found, path))
     values = dict(vars(found))

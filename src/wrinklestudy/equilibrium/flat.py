@@ -1,7 +1,6 @@
 """The flat state of the stretched sheet; it does not depend on the thickness."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -186,24 +185,20 @@ def solve(
     space = grid if isinstance(grid, Space) else Space(grid)
     options = options or newton.NewtonOptions(noise=ROUNDING)
     problem = MembraneProblem(space, law, stretched(space, strain, symmetry), symmetry)
-    observe = None if observer is None else partial(observer, "flat state")
-    minimum = _load(problem, strain, options, observe)
+    if observer is not None:
+        options = replace(options, observe=partial(observer, "flat state"))
+    minimum = _load(problem, strain, options)
     if not minimum.converged:
         raise NotConvergedError(f"flat state at strain {strain:g}: {minimum.reason}")
     position, force = problem.position(minimum.unknowns), problem.force(minimum.unknowns)
     return Flat(space, law, strain, position, minimum.energy, force, minimum.history, symmetry)
 
 
-def _load(
-    problem: MembraneProblem,
-    strain: float,
-    options: newton.NewtonOptions,
-    observe: Callable[[newton.Iteration], None] | None,
-) -> newton.Minimum:
+def _load(problem: MembraneProblem, strain: float, options: newton.NewtonOptions) -> newton.Minimum:
     """Minimise from the first guess; where that fails approach the strain in steps."""
     free, space = problem.assembler.free, problem.assembler.space
     solver, symmetry = problem.assembler.solver, problem.symmetry
-    at_once = newton.minimise(problem, problem.prescribed[free], solver, options, observe)
+    at_once = newton.minimise(problem, problem.prescribed[free], solver, options)
     if at_once.converged:
         return at_once
     reached, step, correction = 0.0, 0.5 * strain, np.zeros_like(problem.prescribed)
@@ -216,7 +211,7 @@ def _load(
             loaded = MembraneProblem(space, problem.law, guess, symmetry)
         # What the load so far did to the sheet beyond the first guess of its strain
         start = (loaded.prescribed + correction)[free]
-        minimum = newton.minimise(loaded, start, solver, options, observe)
+        minimum = newton.minimise(loaded, start, solver, options)
         if not minimum.converged:
             step *= 0.5
         elif last:

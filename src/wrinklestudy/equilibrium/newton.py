@@ -56,6 +56,8 @@ class NewtonOptions:
     noise : float
         Rounding error of the energy. Steps of a smaller decrement are those of plain Newton, and
         where such a decrement falls no further the minimum is as near as rounding allows.
+    observe : callable, optional
+        Is told of each iteration with a new tangent.
     """
 
     tolerance: float = 1.0e-20
@@ -64,6 +66,7 @@ class NewtonOptions:
     rise: float = 0.0
     ceiling: float = np.inf
     noise: float = 0.0
+    observe: Callable[[Iteration], None] | None = None
 
     def __post_init__(self) -> None:
         if not 0 < self.tolerance < 1:
@@ -117,13 +120,7 @@ _QUASI_GAIN = 10.0
 _ROUNDED = 10.0
 
 
-def minimise(
-    problem: Problem,
-    start: Array,
-    solver: Solver,
-    options: NewtonOptions,
-    observe: Callable[[Iteration], None] | None = None,
-) -> Minimum:
+def minimise(problem: Problem, start: Array, solver: Solver, options: NewtonOptions) -> Minimum:
     """Minimise an energy from a start, by Newton's method with shifts of the tangent.
 
     A minimum is accepted only where the unshifted tangent is positive definite.
@@ -138,8 +135,6 @@ def minimise(
         Sparse factorisation.
     options : NewtonOptions
         Tolerance and limits.
-    observe : callable, optional
-        Is told of each iteration with a new tangent.
 
     Returns
     -------
@@ -161,8 +156,8 @@ def minimise(
             break
         scaled = float(np.abs(here.residual / np.sqrt(np.abs(tangent.diagonal()))).max())
         history.append(Iteration(energy, scaled, step.decrement, step.length, step.shift, 1.0))
-        if observe is not None:
-            observe(history[-1])
+        if options.observe is not None:
+            options.observe(history[-1])
         if step.shift == 0.0 and _converged(history, options):
             reason = ""
             break

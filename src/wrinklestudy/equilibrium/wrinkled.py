@@ -160,13 +160,10 @@ def minimise_from(
         rise=_RISE,
         ceiling=flat_energy,
         noise=ROUNDING * thickness,
+        observe=None if observer is None else partial(observer, "wrinkled state"),
     )
     minimum = newton.minimise(
-        Predicting(problem),
-        start[problem.assembler.free],
-        problem.assembler.solver,
-        options,
-        None if observer is None else partial(observer, "wrinkled state"),
+        Predicting(problem), start[problem.assembler.free], problem.assembler.solver, options
     )
     return _checked(planar, problem, minimum)
 

@@ -15,11 +15,9 @@ RATIOS = PicturedSheet(2.0, 1e-3, "mooney-rivlin", IN_WIDTHS)
 
 
 @pytest.fixture
-def shape(made_up, tmp_path):
+def shape(made_up):
     """A function from a strain to a made-up sheet."""
-    from conftest import GRID_X, GRID_Y
-
-    grid = Grid(GRID_X, GRID_Y)
+    grid = Grid(np.linspace(0.0, 1.0, 7), np.linspace(0.0, 0.5, 21))
     return lambda strain: DeformedSheet(grid, made_up().position(strain), Symmetry.mirrored())
 
 
