@@ -1,12 +1,15 @@
 """One sheet for interactive use: material, L/W and t/W in, states and measures out."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 from time import perf_counter
 from typing import Any
 
 from wrinklestudy.equilibrium import planar, stability, wrinkled
+from wrinklestudy.equilibrium.newton import Observer
 from wrinklestudy.fem.grid import MeshSettings, make_grid
+from wrinklestudy.fem.size import ProblemSize, available_memory, gigabytes
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics.bending import bending_law_of
 from wrinklestudy.mechanics.laws import Material
@@ -38,6 +41,22 @@ class State:
     equilibrium: wrinkled.Equilibrium
     measures: Measures | None
     seconds: float
+
+    @property
+    def shape(self) -> DeformedSheet:
+        """The deformed sheet, z = 0 where it is flat.
+
+        Raises
+        ------
+        ValueError
+            If there is no equilibrium to show.
+        """
+        found = self.equilibrium
+        flat = found.planar.flat
+        if self.measures is None or found.position is None or flat is None:
+            raise ValueError(f"state at strain {self.strain:g}: {self.status}, has no shape")
+        nodes = flat.space.nodes_from_field(found.position)
+        return DeformedSheet(flat.space.grid, nodes, found.planar.settings.symmetry)
 
     @property
     def status(self) -> str:
@@ -96,10 +115,40 @@ class Sheet:
         if self.aspect not in ASPECT:
             raise ValueError(f"aspect = {self.aspect:g}: must be {ASPECT}")
         if self.thickness not in THICKNESS:
-            raise ValueError(f"thickness = {self.thickness:g}: must be {THICKNESS}")
+            raise ValueError(f"thickness = {self.thickness:g}: must be {THICKNESS}{self._mesh()}")
         bending_law_of(self.bending)
         if self.parity not in PARITIES:
             raise ValueError(f"parity = {self.parity!r}: must be one of {', '.join(PARITIES)}")
+
+    def _mesh(self) -> str:
+        """Return what mesh a sheet that is too thin would need, for a message."""
+        if not 0.0 < self.thickness < THICKNESS.lowest:
+            return ""
+        size = ProblemSize.of_sheet(self.aspect, self.thickness, self.mesh)
+        return f"; it would need {size.text()}"
+
+    @cached_property
+    def size(self) -> ProblemSize:
+        """How many unknowns the sheet needs."""
+        return ProblemSize.of_sheet(self.aspect, resolved_thickness(self.thickness), self.mesh)
+
+    def check_memory(self, wrinkled: bool = True, jobs: int = 1) -> None:
+        """Raise a MemoryError of one line if the memory would not hold the problem.
+
+        Parameters
+        ----------
+        wrinkled : bool
+            Whether wrinkled states are wanted, not flat ones alone.
+        jobs : int
+            How many are solved at the same time.
+        """
+        available = available_memory()
+        if jobs * self.size.memory(wrinkled) > available:
+            times = f"{jobs} jobs, each with " if jobs > 1 else ""
+            raise MemoryError(
+                f"L/W = {self.aspect:g}, t/W = {self.thickness:g} needs "
+                f"{times}{self.size.text(wrinkled)}; {gigabytes(available)} are available"
+            )
 
     @cached_property
     def space(self) -> Space:
@@ -111,25 +160,35 @@ class Sheet:
         """Settings of the planar stage."""
         return planar.PlanarSettings(self.bending, self.parity)
 
-    def solve(self, strain: float, settings: wrinkled.WrinkleSettings | None = None) -> State:
+    def solve(
+        self,
+        strain: float,
+        settings: wrinkled.WrinkleSettings | None = None,
+        observer: Observer | None = None,
+    ) -> State:
         """Return the state of the sheet at a strain.
 
         Parameters
         ----------
         strain : float
-            eps = (L' - L)/L of the clamps, 0 < eps <= 1.
+            eps = (L' - L)/L of the clamps, within `vocabulary.STRAIN`.
         settings : wrinkled.WrinkleSettings, optional
+        observer : Observer, optional
+            Is told of each iteration.
 
         Raises
         ------
         ValueError
             If the strain is not allowed.
+        MemoryError
+            If the memory would not hold the problem; one line with its size.
         """
         if strain not in STRAIN:
             raise ValueError(f"strain = {strain:g}: must be {STRAIN}")
+        self.check_memory()
         start = perf_counter()
-        flat = planar.solve(self.space, self.material, strain, self.settings)
-        found = wrinkled.solve(flat, self.thickness, settings)
+        flat = planar.solve(self.space, self.material, strain, self.settings, observer=observer)
+        found = wrinkled.solve(flat, self.thickness, settings, observer)
         seconds = perf_counter() - start
         measures = None
         if found.status != "not-converged" and found.position is not None:
@@ -139,5 +198,15 @@ class Sheet:
 
     def stability(self) -> stability.Stability:
         """Return birth and decay strain with the critical thicknesses between."""
-        curve = stability.critical_curve(self.space, self.material, self.settings)
-        return stability.find(curve, self.thickness)
+        return stability.find(self.critical_thickness(), self.thickness)
+
+    def critical_thickness(self) -> Callable[[float], float]:
+        """Return the function tau_1(eps)/W of the sheet, see `stability.critical_curve`.
+
+        Raises
+        ------
+        MemoryError
+            If the memory would not hold the problem; one line with its size.
+        """
+        self.check_memory(wrinkled=False)
+        return stability.critical_curve(self.space, self.material, self.settings)

@@ -228,7 +228,7 @@ def test_a_wrong_config_stops_with_its_line_before_any_job(study):
     study.edit("config/quick.yaml", STRAINS, "strain: [0.1, 5]")
     run = study.snakemake()
     assert run.returncode != 0
-    line = "sheets[0].strain[1] = 5: must be a number > 0 and <= 1"
+    line = "sheets[0].strain[1] = 5: must be a number >= 1e-7 and <= 1"
     assert f"config/quick.yaml over config.yaml: {line}" == run.stderr.splitlines()[-1]
     assert "Traceback" not in run.stderr
     assert "Job stats" not in run.stderr + run.stdout
@@ -285,7 +285,7 @@ SHEETS = "results/quick/wrinkle/latex/aspect2_thickness"
     [
         (f"{SHEETS}0.001/strain0.20.h5", f"write {SHEETS}0.001/strain0.2.h5"),
         (f"./{SHEETS}1.5e-3/strain0.2.h5", f"write {SHEETS}0.0015/strain0.2.h5"),
-        (f"{SHEETS}0.001/strain20.h5", "strain = 20: must be a number > 0 and <= 1"),
+        (f"{SHEETS}0.001/strain20.h5", "strain = 20: must be a number >= 1e-7 and <= 1"),
         ("figures/quick/fig4_profiles.png", "did you mean fig04_profiles?"),
     ],
 )

@@ -2,16 +2,32 @@
 
 import argparse
 import math
+import re
+from typing import NamedTuple
+
+# What float() takes besides is no number to most people: 1_000, nan, digits of other scripts.
+_NUMBER = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?")
+
+
+class NumberRange(NamedTuple):
+    """Equally spaced numbers, both ends included; a single number is its own range."""
+
+    start: float
+    stop: float
+    step: float
+
+    @property
+    def is_single(self) -> bool:
+        """Whether it is a single number."""
+        return math.isnan(self.step)
 
 
 def number(text: str) -> float:
     """Return a finite number."""
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
+    text = text.strip()
+    value = float(text) if _NUMBER.fullmatch(text) else math.nan
     if not math.isfinite(value):
-        raise argparse.ArgumentTypeError(f"{text.strip()!r} is not a finite number")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a finite number")
     return value
 
 
@@ -21,3 +37,20 @@ def whole_number(text: str) -> int:
     if value != round(value):
         raise argparse.ArgumentTypeError(f"{text.strip()!r} is not a whole number")
     return int(value)
+
+
+def numbers(text: str) -> NumberRange:
+    """Return a number, or the range ``start:stop:step``."""
+    parts = text.split(":")
+    if len(parts) == 1:
+        return NumberRange(number(text), number(text), math.nan)
+    if len(parts) != 3:
+        raise argparse.ArgumentTypeError(
+            f"{text.strip()!r} is neither a number nor a range start:stop:step"
+        )
+    return NumberRange(*map(number, parts))
+
+
+def is_negative(text: str) -> bool:
+    """Return whether a text is a negative number, or a range that begins with one."""
+    return _NUMBER.match(text) is not None and text.startswith("-")

@@ -1,10 +1,11 @@
-"""The parser: which commands there are, and numbers as values of options."""
+"""The parser: which commands there are, and how their options are read."""
 
 import argparse
 from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, NoReturn
 
 from wrinklestudy.cli import fit, solve, stability
+from wrinklestudy.cli.numbers import is_negative
 
 
 class Command(NamedTuple):
@@ -24,33 +25,64 @@ COMMANDS = {
 }
 
 
+class _Store(argparse.Action):
+    """Store a value; ``namespace.given`` has the names of all options that were given.
+
+    A default cannot be told from a value otherwise, where options go with others or do not.
+    """
+
+    def __call__(
+        self,
+        parser: argparse.ArgumentParser,
+        namespace: argparse.Namespace,
+        values: Any,
+        option_string: str | None = None,
+    ) -> None:
+        """Store the value."""
+        del parser, option_string
+        namespace.given = namespace.given | {self.dest}
+        setattr(namespace, self.dest, values)
+
+
+class _Parser(argparse.ArgumentParser):
+    """A parser whose errors are one line."""
+
+    def error(self, message: str) -> NoReturn:
+        """Say what is wrong and stop."""
+        self.exit(2, f"{self.prog}: {message} (--help lists the options)\n")
+
+
+class _Version(argparse.Action):
+    """Print the version, which takes a while to look up, only where it is asked for."""
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: object) -> None:
+        """Print the version and stop."""
+        from importlib.metadata import version
+
+        print(f"{parser.prog} {version('wrinklestudy')}")
+        parser.exit()
+
+
 def parse(argv: Sequence[str]) -> argparse.Namespace:
     """Return the arguments of a command line without the name of the program.
 
     Only the command that is asked for gets its options: they come from the registry of laws, which
     needs numpy, and `--help` alone does without.
     """
-    parser = argparse.ArgumentParser(
-        prog="wrinklestudy", description="Wrinkles in stretched hyperelastic sheets."
+    parser = _Parser(
+        prog="wrinklestudy",
+        description="Wrinkles in stretched hyperelastic sheets.",
+        allow_abbrev=False,
     )
+    parser.add_argument("--version", action=_Version, nargs=0, help="print the version")
     commands = parser.add_subparsers(dest="command", required=True)
     for name, command in COMMANDS.items():
-        sub = commands.add_parser(name, help=command.help)
+        sub = commands.add_parser(name, help=command.help, allow_abbrev=False)
+        for action in (None, "store"):
+            sub.register("action", action, _Store)
+        sub.set_defaults(given=frozenset())
         if name in argv[:1]:
             command.add_options(sub)
             sub.add_argument("--json", action="store_true", help="print JSON")
-    return parser.parse_args([_as_value(text) for text in argv])
-
-
-def _as_value(text: str) -> str:
-    """Return a negative number with a space before it, which no option has.
-
-    argparse takes -1.5 for a number but -3.1e4 for an option.
-    """
-    if not text.startswith("-"):
-        return text
-    try:
-        float(text)
-    except ValueError:
-        return text
-    return f" {text}"
+    # argparse takes -1.5 for a number but -3.1e4 for an option: no option begins with a space.
+    return parser.parse_args([f" {text}" if is_negative(text) else text for text in argv])

@@ -1,27 +1,73 @@
-"""Options of the commands that are about one sheet: its material, its size, its mesh."""
+"""Options of the commands that are about one sheet: its size, its material, its mesh."""
 
 import argparse
+import sys
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from wrinklestudy.cli.material_options import add_law, add_material, material
 from wrinklestudy.cli.numbers import number, whole_number
-from wrinklestudy.vocabulary import CELLS, PARITIES
+from wrinklestudy.vocabulary import ASPECT, CELLS, PARITIES, THICKNESS
 
 if TYPE_CHECKING:
-    from wrinklestudy.mechanics.laws import Material
+    from wrinklestudy.results.vtu import LengthUnit
     from wrinklestudy.sheet import Sheet
 
-DEFAULT_LAW = "mooney-rivlin"
+__all__ = ["GivenSize", "add_law", "add_sheet", "given_size", "sheet"]
+
+_RATIOS = ("aspect", "thickness")
+_LENGTHS = ("length_mm", "width_mm", "thickness_mm")
+# Sheets with more unknowns than this say so before they start.
+_MANY_UNKNOWNS = 50_000
+
+
+@dataclass(frozen=True)
+class GivenSize:
+    """The size of the sheet as it was given.
+
+    Parameters
+    ----------
+    aspect, thickness : float
+        L/W and t/W.
+    width_mm : float or None
+        W if lengths were given, None if ratios were.
+    """
+
+    aspect: float
+    thickness: float
+    width_mm: float | None = None
+
+    @property
+    def length_mm(self) -> float | None:
+        """L if lengths were given."""
+        return None if self.width_mm is None else self.aspect * self.width_mm
+
+    @property
+    def unit(self) -> "LengthUnit":
+        """The unit in which files and pictures show lengths."""
+        from wrinklestudy.results.vtu import IN_WIDTHS, LengthUnit
+
+        return IN_WIDTHS if self.width_mm is None else LengthUnit("mm", self.width_mm)
+
+    def clamps_mm(self, strain: float | None) -> float | None:
+        """Return the distance of the clamps at a strain, None where there is none."""
+        if strain is None or self.length_mm is None:
+            return None
+        return self.length_mm * (1.0 + strain)
 
 
 def add_sheet(parser: argparse.ArgumentParser) -> None:
     """Add the options of a sheet."""
     from wrinklestudy.mechanics.bending import BENDING_LAWS
 
+    group = parser.add_argument_group("size", "ratios, or all three lengths")
+    group.add_argument("--aspect", type=number, help="L/W")
+    group.add_argument("--thickness", type=number, help="t/W")
+    group.add_argument("--length-mm", type=number, help="L between the clamps at rest")
+    group.add_argument("--width-mm", type=number, help="W along a clamp")
+    group.add_argument("--thickness-mm", type=number, help="t at rest")
+    add_material(parser)
     add = parser.add_argument
-    add("--aspect", type=number, required=True, help="L/W")
-    add("--thickness", type=number, required=True, help="t/W")
-    add_law(parser)
-    _add_constants(parser)
     meanings = "; ".join(f"{name}: {law.meaning}" for name, law in BENDING_LAWS.items())
     add("--bending", choices=tuple(BENDING_LAWS), default=next(iter(BENDING_LAWS)), help=meanings)
     add("--parity", choices=PARITIES, default=PARITIES[0], help="of the wrinkles across the sheet")
@@ -33,55 +79,58 @@ def add_sheet(parser: argparse.ArgumentParser) -> None:
     add("--cells-across", type=whole_number, help="cells on half the width at t/W = 1e-3")
 
 
-def add_law(parser: argparse.ArgumentParser) -> None:
-    """Add the option that names a law."""
-    from wrinklestudy.mechanics.laws import LAWS
+def given_size(arguments: argparse.Namespace) -> GivenSize:
+    """Return the size that the options give, from ratios or from lengths but not from both.
 
-    parser.add_argument(
-        "--law",
-        choices=tuple(LAWS),
-        default=DEFAULT_LAW,
-        help=f"strain energy, {DEFAULT_LAW} by default",
-    )
+    Ratios of lengths are rounded to 12 digits, so that they are those that one would write.
+    """
+    from wrinklestudy.results.cases import canonical
 
-
-def _add_constants(parser: argparse.ArgumentParser) -> None:
-    """Add an option for each constant of any law."""
-    from wrinklestudy.mechanics.laws import LAWS
-
-    texts: dict[str, dict[str, list[str]]] = {}
-    for law in LAWS.values():
-        for constant in law.constants:
-            default = "" if constant.default is None else f", default {constant.default:g}"
-            unit = f" ({constant.unit})" if constant.unit else ""
-            meaning = f"{constant.meaning}{unit}, {constant.allowed}{default}"
-            texts.setdefault(constant.name, {}).setdefault(meaning, []).append(law.name)
-    for name, meanings in texts.items():
-        lines = [f"{', '.join(names)}: {meaning}" for meaning, names in meanings.items()]
-        parser.add_argument(f"--{name}", type=number, help="; ".join(lines))
-
-
-def material(arguments: argparse.Namespace) -> "Material":
-    """Return the material that the options describe."""
-    from wrinklestudy.mechanics.laws import LAWS, law_of
-
-    law = law_of(arguments.law)
-    allowed = {constant.name: constant for constant in law.constants}
-    names = dict.fromkeys(c.name for other in LAWS.values() for c in other.constants)
-    given = {name: getattr(arguments, name) for name in names}
-    given = {name: value for name, value in given.items() if value is not None}
-    for name in given:
-        if name not in allowed:
-            options = ", ".join(f"--{known}" for known in allowed)
-            raise ValueError(f"--{name}: not a constant of {law.name}, which takes {options}")
-    for name, constant in allowed.items():
-        if name not in given and constant.default is None:
-            raise ValueError(f"--{name}: {law.name} needs it ({constant.unit or 'a number'})")
-    return law.material(**given)
+    lengths = [getattr(arguments, name) for name in _LENGTHS]
+    ratios = [getattr(arguments, name) for name in _RATIOS]
+    if all(value is None for value in lengths):
+        _refuse_missing(_RATIOS, arguments)
+        size = GivenSize(*ratios)
+    elif any(value is not None for value in ratios):
+        mixed = ", ".join(
+            _option(name) for name in (*_RATIOS, *_LENGTHS) if name in arguments.given
+        )
+        raise ValueError(f"{mixed}: give ratios or lengths, not both")
+    else:
+        _refuse_missing(_LENGTHS, arguments)
+        for name, value in zip(_LENGTHS, lengths, strict=True):
+            if not value > 0.0:
+                raise ValueError(f"{_option(name)} = {value:g}: must be > 0 mm")
+        length, width, thickness = lengths
+        size = GivenSize(canonical(length / width), canonical(thickness / width), width)
+        for name, ratio, limits in (
+            ("length_mm", size.aspect, ASPECT),
+            ("thickness_mm", size.thickness, THICKNESS),
+        ):
+            if ratio not in limits:
+                given = f"{_option(name)} over --width-mm"
+                raise ValueError(f"{given} = {ratio:g}: must be {limits}")
+    return size
 
 
-def sheet(arguments: argparse.Namespace) -> "Sheet":
-    """Return the sheet that the options describe."""
+def _refuse_missing(names: tuple[str, ...], arguments: argparse.Namespace) -> None:
+    missing = [_option(name) for name in names if name not in arguments.given]
+    if missing:
+        other = "" if names == _LENGTHS else ", or --length-mm, --width-mm and --thickness-mm"
+        raise ValueError(f"{' and '.join(missing)}: missing; give {_options(names)}{other}")
+
+
+def _options(names: tuple[str, ...]) -> str:
+    *first, last = map(_option, names)
+    return f"{', '.join(first)} and {last}"
+
+
+def _option(name: str) -> str:
+    return f"--{name.replace('_', '-')}"
+
+
+def sheet(arguments: argparse.Namespace, size: GivenSize) -> "Sheet":
+    """Return the sheet that the options describe; say so where it is a large problem."""
     from wrinklestudy.fem.grid import MeshSettings
     from wrinklestudy.sheet import Sheet
 
@@ -92,12 +141,19 @@ def sheet(arguments: argparse.Namespace) -> "Sheet":
     }
     for key, value in cells.items():
         if value not in CELLS:
-            raise ValueError(f"--{key.replace('_', '-')} = {value}: must be {CELLS}")
+            raise ValueError(f"{_option(key)} = {value}: must be {CELLS}")
     return Sheet(
-        arguments.aspect,
-        arguments.thickness,
+        size.aspect,
+        size.thickness,
         material(arguments),
         arguments.bending,
         arguments.parity,
         MeshSettings(**cells),
     )
+
+
+def announce(chosen: "Sheet", wrinkled: bool = True, jobs: int = 1) -> None:
+    """Refuse what the memory would not hold; say what a large problem needs before it starts."""
+    chosen.check_memory(wrinkled, jobs)
+    if chosen.size.unknowns > _MANY_UNKNOWNS:
+        print(f"t/W = {chosen.thickness:g}: {chosen.size.text(wrinkled)}", file=sys.stderr)

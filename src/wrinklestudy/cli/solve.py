@@ -1,39 +1,98 @@
 """`wrinklestudy solve`: the state of one sheet at one or more strains."""
 
 import argparse
-import sys
-from collections.abc import Iterable, Sequence
-from typing import Any
 
-from wrinklestudy.cli.numbers import number
-from wrinklestudy.cli.sheet_options import add_sheet, sheet
-from wrinklestudy.vocabulary import STRAIN
+from wrinklestudy.cli.numbers import NumberRange, numbers, whole_number
+from wrinklestudy.cli.output import Answer
+from wrinklestudy.cli.outputs import add_overwrite, planned
+from wrinklestudy.cli.sentences import failures, states_text
+from wrinklestudy.cli.sheet_options import GivenSize, add_sheet, announce, given_size, sheet
+from wrinklestudy.cli.solving import Task, solve_all
+from wrinklestudy.vocabulary import STRAIN, Limits
+
+_JOBS = Limits(1, 1000)
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
     add_sheet(parser)
-    parser.add_argument(
-        "--strain", type=number, action="append", required=True, help="0 < eps <= 1; repeatable"
+    group = parser.add_argument_group("strains", "repeatable; a number, or start:stop:step")
+    group.add_argument("--strain", type=numbers, action="append", help=f"(L' - L)/L, {STRAIN}")
+    group.add_argument(
+        "--clamp-mm", type=numbers, action="append", help="distance L' of the clamps instead"
     )
+    add = parser.add_argument
+    add("--jobs", type=whole_number, default=1, help="strains that are solved at the same time")
+    add("--vtu", metavar="FILE.vtu", help="write the surface with its stresses, for ParaView")
+    add("--picture", metavar="FILE", help="draw the sheet and its profile: .png, .pdf or .svg")
+    add_overwrite(parser)
 
 
-def run(arguments: argparse.Namespace) -> list[dict[str, Any]]:
-    """Return the states as plain values."""
-    chosen = sheet(arguments)
-    for strain in arguments.strain:
+def run(arguments: argparse.Namespace) -> Answer:
+    """Return the states, and write the files that are asked for."""
+    from wrinklestudy.results.cases import format_value
+    from wrinklestudy.results.vtu import SUFFIXES as VTU
+    from wrinklestudy.stages.figures import SUFFIXES as PICTURES
+
+    if arguments.jobs not in _JOBS:
+        raise ValueError(f"--jobs = {arguments.jobs}: must be {_JOBS}")
+    size = given_size(arguments)
+    strains = _strains(arguments, size)
+    labels = [f"strain{format_value(strain)}" for strain in strains]
+    overwrite = arguments.overwrite
+    vtu = planned("--vtu", arguments.vtu, VTU, overwrite, labels)
+    pictures = planned("--picture", arguments.picture, PICTURES, overwrite, labels)
+    chosen = sheet(arguments, size)
+    announce(chosen, jobs=min(arguments.jobs, len(strains)))
+    tasks = [
+        Task(chosen, size, *of_strain) for of_strain in zip(strains, vtu, pictures, strict=True)
+    ]
+    states = solve_all(tasks, arguments.jobs)
+    return Answer(states, states_text(states, size), tuple(failures(states)))
+
+
+def _strains(arguments: argparse.Namespace, size: GivenSize) -> list[float]:
+    """Return the strains in the order given, each once."""
+    if arguments.strain and arguments.clamp_mm:
+        raise ValueError("--strain, --clamp-mm: give strains or distances, not both")
+    if arguments.strain:
+        strains = [eps for entry in arguments.strain for eps in _of_strain(entry)]
+    elif arguments.clamp_mm:
+        if size.length_mm is None:
+            raise ValueError("--clamp-mm: needs --length-mm, --width-mm and --thickness-mm")
+        strains = [eps for entry in arguments.clamp_mm for eps in _of_clamps(entry, size.length_mm)]
+    else:
+        raise ValueError("--strain: missing; give --strain or --clamp-mm")
+    return list(dict.fromkeys(strains))
+
+
+def _of_strain(entry: NumberRange) -> tuple[float, ...]:
+    for strain in entry[:2]:
         if strain not in STRAIN:
             raise ValueError(f"--strain = {strain:g}: must be {STRAIN}")
-    return [chosen.solve(strain).as_dict() for strain in _progress(arguments.strain)]
+    return _values("--strain", entry, STRAIN)
 
 
-def _progress(strains: Sequence[float]) -> Iterable[float]:
-    """Show a bar on a terminal, a line for each strain elsewhere; both on stderr."""
-    if sys.stderr.isatty():
-        from tqdm import tqdm
+def _of_clamps(entry: NumberRange, length: float) -> tuple[float, ...]:
+    """Return the strains of clamps at distances, rounded to 12 digits."""
+    from wrinklestudy.results.cases import canonical
 
-        yield from tqdm(strains, unit="strain", file=sys.stderr)
-        return
-    for count, strain in enumerate(strains, 1):
-        print(f"strain {strain:g} ({count} of {len(strains)})", file=sys.stderr)
-        yield strain
+    for clamps in entry[:2]:
+        if (strain := clamps / length - 1.0) not in STRAIN:
+            raise ValueError(
+                f"--clamp-mm = {clamps:g}: strain {strain:.3g} of a length of {length:g} mm "
+                f"must be {STRAIN}"
+            )
+    distances = _values("--clamp-mm", entry, Limits(length, 2.0 * length))
+    return tuple(canonical((clamps - length) / length) for clamps in distances)
+
+
+def _values(option: str, entry: NumberRange, allowed: Limits) -> tuple[float, ...]:
+    from wrinklestudy.results.cases import number_range
+
+    if entry.is_single:
+        return (entry.start,)
+    try:
+        return number_range(*entry, allowed)
+    except ValueError as error:
+        raise ValueError(f"{option} {':'.join(f'{x:g}' for x in entry)}: {error}") from None

@@ -2,26 +2,56 @@
 
 import argparse
 import sys
-from typing import Any
+from typing import TYPE_CHECKING
 
-from wrinklestudy.cli.sheet_options import add_sheet, sheet
+from wrinklestudy.cli.output import Answer
+from wrinklestudy.cli.outputs import add_overwrite, planned, write
+from wrinklestudy.cli.sentences import stability_text
+from wrinklestudy.cli.sheet_options import GivenSize, add_sheet, announce, given_size, sheet
+
+if TYPE_CHECKING:
+    from wrinklestudy.equilibrium.stability import Stability
+    from wrinklestudy.sheet import Sheet
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
     add_sheet(parser)
+    parser.add_argument("--plot", metavar="FILE", help="draw tau_1 over strain: .png, .pdf or .svg")
+    add_overwrite(parser)
 
 
-def run(arguments: argparse.Namespace) -> dict[str, Any]:
+def run(arguments: argparse.Namespace) -> Answer:
     """Return birth and decay strain with the critical thicknesses between."""
     from wrinklestudy.equilibrium import stability
+    from wrinklestudy.stages.figures import SUFFIXES
 
-    chosen = sheet(arguments)
-    curve = stability.critical_curve(chosen.space, chosen.material, chosen.settings)
+    size = given_size(arguments)
+    (plot,) = planned("--plot", arguments.plot, SUFFIXES, arguments.overwrite, [""])
+    chosen = sheet(arguments, size)
+    announce(chosen, wrinkled=False)
+    curve = chosen.critical_thickness()
 
     def reported(strain: float) -> float:
         value = curve(strain)
         print(f"strain {strain:.5f}: critical thickness {value:.6g} W", file=sys.stderr)
         return value
 
-    return vars(stability.find(reported, chosen.thickness))
+    found = stability.find(reported, chosen.thickness)
+    if not found.critical_thickness:
+        raise ArithmeticError("the sheet has no flat state at any of the strains that were tried")
+    if plot is not None:
+        write(plot, lambda path: _draw(chosen, size, found, path))
+    values = dict(vars(found))
+    if size.width_mm is not None:
+        for name in ("birth", "decay"):
+            values[f"{name}_clamps_mm"] = size.clamps_mm(values[f"{name}_strain"])
+    return Answer(values, stability_text(values, size))
+
+
+def _draw(chosen: "Sheet", size: GivenSize, found: "Stability", path: object) -> None:
+    from wrinklestudy.cli.solving import pictured_sheet
+    from wrinklestudy.study.figures import one_sheet, style
+
+    with style.applied():
+        style.save(one_sheet.draw_stability(pictured_sheet(chosen, size), found), str(path))

@@ -1,6 +1,7 @@
 """The flat state of the stretched sheet; it does not depend on the thickness."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from scipy import sparse
@@ -158,6 +159,7 @@ def solve(
     strain: float,
     options: newton.NewtonOptions | None = None,
     symmetry: Symmetry = QUARTER,
+    observer: newton.Observer | None = None,
 ) -> Flat:
     """Return the flat equilibrium of a clamped sheet stretched by a strain.
 
@@ -172,6 +174,8 @@ def solve(
     options : newton.NewtonOptions, optional
     symmetry : Symmetry
         Mirrors that bound the grid.
+    observer : newton.Observer, optional
+        Is told of each iteration.
 
     Raises
     ------
@@ -181,6 +185,8 @@ def solve(
     space = grid if isinstance(grid, Space) else Space(grid)
     options = options or newton.NewtonOptions(noise=ROUNDING)
     problem = MembraneProblem(space, law, stretched(space, strain, symmetry), symmetry)
+    if observer is not None:
+        options = replace(options, observe=partial(observer, "flat state"))
     minimum = _load(problem, strain, options)
     if not minimum.converged:
         raise NotConvergedError(f"flat state at strain {strain:g}: {minimum.reason}")

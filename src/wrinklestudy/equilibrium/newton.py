@@ -5,8 +5,9 @@ definite and the energy falls, by a shorter step or, as in Levenberg's and Marqu
 larger shift. The factorisation tells whether it is definite.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from scipy import sparse
@@ -26,6 +27,13 @@ class Iteration(NamedTuple):
     step: float
     shift: float
     fresh: float  # 1 for a new tangent, 0 for a step with the last one
+
+
+class Observer(Protocol):
+    """Who wants to know how a solve goes on."""
+
+    def __call__(self, stage: str, last: Iteration | None) -> None:
+        """Be told of the stage that runs, and of its last iteration if it has any."""
 
 
 @dataclass(frozen=True)
@@ -48,6 +56,8 @@ class NewtonOptions:
     noise : float
         Rounding error of the energy. Steps of a smaller decrement are those of plain Newton, and
         where such a decrement falls no further the minimum is as near as rounding allows.
+    observe : callable, optional
+        Is told of each iteration with a new tangent.
     """
 
     tolerance: float = 1.0e-20
@@ -56,6 +66,7 @@ class NewtonOptions:
     rise: float = 0.0
     ceiling: float = np.inf
     noise: float = 0.0
+    observe: Callable[[Iteration], None] | None = None
 
     def __post_init__(self) -> None:
         if not 0 < self.tolerance < 1:
@@ -145,6 +156,8 @@ def minimise(problem: Problem, start: Array, solver: Solver, options: NewtonOpti
             break
         scaled = float(np.abs(here.residual / np.sqrt(np.abs(tangent.diagonal()))).max())
         history.append(Iteration(energy, scaled, step.decrement, step.length, step.shift, 1.0))
+        if options.observe is not None:
+            options.observe(history[-1])
         if step.shift == 0.0 and _converged(history, options):
             reason = ""
             break

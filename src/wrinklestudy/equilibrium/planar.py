@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from wrinklestudy.equilibrium.flat import Flat
 from wrinklestudy.equilibrium.flat import solve as solve_flat
 from wrinklestudy.equilibrium.modes import Modes, critical_modes
+from wrinklestudy.equilibrium.newton import Observer
 from wrinklestudy.fem.boundary import Symmetry
 from wrinklestudy.fem.grid import Grid
 from wrinklestudy.fem.space import Space
@@ -71,6 +72,7 @@ def solve(
     strain: float,
     settings: PlanarSettings | None = None,
     name: str = "material",
+    observer: Observer | None = None,
 ) -> Planar:
     """Return the flat state at a strain with its critical thicknesses and modes.
 
@@ -86,11 +88,17 @@ def solve(
     settings : PlanarSettings, optional
     name : str
         Name of the material.
+    observer : Observer, optional
+        Is told how it goes on.
     """
     settings = settings or PlanarSettings()
     space = grid if isinstance(grid, Space) else Space(grid)
     try:
-        flat = solve_flat(space, material.law, strain, symmetry=settings.symmetry)
+        flat = solve_flat(
+            space, material.law, strain, symmetry=settings.symmetry, observer=observer
+        )
+        if observer is not None:
+            observer("modes", None)
         modes = critical_modes(flat, settings.bending, settings.symmetry, settings.modes)
     except ArithmeticError as error:
         return Planar(space.grid, material, name, strain, settings, None, None, str(error))

@@ -6,6 +6,7 @@ residual is small, the tangent positive definite and the energy below that of th
 """
 
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -81,7 +82,12 @@ class Equilibrium:
     history: tuple[newton.Iteration, ...]
 
 
-def solve(planar: Planar, thickness: float, settings: WrinkleSettings | None = None) -> Equilibrium:
+def solve(
+    planar: Planar,
+    thickness: float,
+    settings: WrinkleSettings | None = None,
+    observer: newton.Observer | None = None,
+) -> Equilibrium:
     """Return the equilibrium of a sheet of thickness t/W from its planar state.
 
     Where t exceeds the critical thickness tau_1 the flat state is the answer.
@@ -92,6 +98,8 @@ def solve(planar: Planar, thickness: float, settings: WrinkleSettings | None = N
     thickness : float
         t/W.
     settings : WrinkleSettings, optional
+    observer : newton.Observer, optional
+        Is told of each iteration.
 
     Raises
     ------
@@ -106,7 +114,9 @@ def solve(planar: Planar, thickness: float, settings: WrinkleSettings | None = N
     if thickness >= planar.modes.critical_thickness:
         return _flat(planar, planar.flat, planar.modes, thickness)
     states = [
-        minimise_from(planar, thickness, seed_position(planar.flat, planar.modes, q), settings)
+        minimise_from(
+            planar, thickness, seed_position(planar.flat, planar.modes, q), settings, observer
+        )
         for q in seeds(planar.modes, thickness)[: settings.seeds]
     ]
     if not states:
@@ -115,7 +125,11 @@ def solve(planar: Planar, thickness: float, settings: WrinkleSettings | None = N
 
 
 def minimise_from(
-    planar: Planar, thickness: float, start: Array, settings: WrinkleSettings | None = None
+    planar: Planar,
+    thickness: float,
+    start: Array,
+    settings: WrinkleSettings | None = None,
+    observer: newton.Observer | None = None,
 ) -> Equilibrium:
     """Return the equilibrium to which the energy falls from a start, and whether it is wrinkled.
 
@@ -127,6 +141,8 @@ def minimise_from(
     start : (3, size) array
         Position as dof vectors; only its free values count.
     settings : WrinkleSettings, optional
+    observer : newton.Observer, optional
+        Is told of each iteration.
 
     Raises
     ------
@@ -144,6 +160,7 @@ def minimise_from(
         rise=_RISE,
         ceiling=flat_energy,
         noise=ROUNDING * thickness,
+        observe=None if observer is None else partial(observer, "wrinkled state"),
     )
     minimum = newton.minimise(
         Predicting(problem), start[problem.assembler.free], problem.assembler.solver, options

@@ -15,6 +15,9 @@ from scipy import sparse
 
 from wrinklestudy.typing import Array
 
+# PARDISO's errors where memory is short: none left, or more than its 32-bit numbers can count.
+_NO_MEMORY = (-2, -8)
+
 
 class NotPositiveDefiniteError(ArithmeticError):
     """The matrix of a Cholesky factorisation is not positive definite."""
@@ -186,6 +189,9 @@ def _call_pardiso(solver: Any, phase: int, upper: sparse.csr_array) -> None:
     except PyPardisoError as error:
         if error.value == -4 and solver.mtype == 2:
             raise NotPositiveDefiniteError("zero or negative pivot") from None
+        if error.value in _NO_MEMORY:
+            size = f"{upper.shape[0]:,} unknowns"
+            raise MemoryError(f"no memory for a factorisation with {size}") from None
         raise
 
 

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 
-from wrinklestudy.vocabulary import STRAIN
+from wrinklestudy.vocabulary import STRAIN, Limits
 
 DIGITS = 12
 DESIGN_THICKNESS = 1.0e-3
@@ -59,7 +59,19 @@ def canonical(value: float) -> float:
 
 
 def strain_range(start: float, stop: float, step: float) -> tuple[float, ...]:
+    """Return equally spaced strains, see `number_range`."""
+    return number_range(start, stop, step, STRAIN)
+
+
+def number_range(start: float, stop: float, step: float, allowed: Limits) -> tuple[float, ...]:
     """Return start, start + step, ... up to and including stop, in exact decimals.
+
+    Parameters
+    ----------
+    start, stop, step : float
+        Not negative.
+    allowed : Limits
+        What a message may offer for a stop that is not reached.
 
     Raises
     ------
@@ -73,7 +85,7 @@ def strain_range(start: float, stop: float, step: float) -> tuple[float, ...]:
     steps, rest = divmod(last - first, width)
     if rest:
         ends = [float(first + k * width) for k in (steps, steps + 1)]
-        nearest = " or ".join(format_value(end) for end in ends if end in STRAIN)
+        nearest = " or ".join(format_value(end) for end in ends if end in allowed)
         raise ValueError(
             f"stop = {stop:g}: must be a whole number of steps above start; nearest: {nearest}"
         )

@@ -10,9 +10,14 @@ from wrinklestudy.results.paths import STAGES, Paths
 from wrinklestudy.study.config import StudyConfig
 from wrinklestudy.study.config.wording import closest
 from wrinklestudy.study.plan import files_of
-from wrinklestudy.vocabulary import ASPECT, STRAIN, THICKNESS
+from wrinklestudy.vocabulary import ASPECT, STRAIN, THICKNESS, Limits
 
-_LIMITS = {"aspect": ASPECT, "thickness": THICKNESS, "resolved": THICKNESS, "strain": STRAIN}
+_LIMITS = {
+    "aspect": ASPECT,
+    "thickness": THICKNESS,
+    "resolved": Limits(resolved_thickness(THICKNESS.lowest), THICKNESS.highest, unit="t/W"),
+    "strain": STRAIN,
+}
 
 
 def refusal(target: str, study: StudyConfig, paths: Paths) -> str | None:

@@ -70,14 +70,14 @@ def test_svk_needs_no_constants(capsys):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (["--strain", "5"], "--strain = 5: must be > 0 and <= 1"),
-        (["--strain", "0.1", "--thickness", "-1"], "thickness = -1: must be > 0"),
+        (["--strain", "5"], "--strain = 5: must be >= 1e-7 and <= 1"),
+        (["--strain", "0.1", "--thickness", "-1"], "thickness = -1: must be >= 1e-6"),
         (["--strain", "0.1", "--aspect", "0"], "aspect = 0: must be"),
         (["--strain", "0.1", "--young", "1e6"], "--young: not a constant of mooney-rivlin"),
         (["--strain", "0.1", "--c10", "-1"], "c10 = -1: must be >= 0 Pa"),
         (["--strain", "0.1", "--c01", "-3.1e4"], "c01 = -31000: must be >= 0 Pa"),
-        (["--strain", "-1e-1"], "--strain = -0.1: must be > 0 and <= 1"),
-        (["--strain", "0.1", "--thickness", "-1e-3"], "thickness = -0.001: must be > 0"),
+        (["--strain", "-1e-1"], "--strain = -0.1: must be >= 1e-7 and <= 1"),
+        (["--strain", "0.1", "--thickness", "-1e-3"], "thickness = -0.001: must be >= 1e-6"),
         (["--strain", "0.1", "--aspect", "-2E+0"], "aspect = -2: must be"),
         (["--strain", "0.1", "--cells-across", "-1e1"], "--cells-across = -10: must be >= 2"),
         (

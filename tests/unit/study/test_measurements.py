@@ -134,7 +134,7 @@ def test_points_of_two_sources_are_joined_in_order():
         ),
         (
             AMPLITUDE + "2,140,0.1,3,0\n",
-            ", line 2, column thickness: '140' must be > 0 and <= 0.05 (t/W)",
+            ", line 2, column thickness: '140' must be >= 1e-6 and <= 0.05 (t/W)",
         ),
         (
             AMPLITUDE + "28,1e-3,0.1,3,0\n",
@@ -216,7 +216,7 @@ def test_a_scan_of_noise_is_not_wrinkled(write):
     [
         (
             scan_text("# aspect: 2\n# strain: 0.1\n"),
-            ": a line '# thickness: number' is missing; must be > 0 and <= 0.05 (t/W)",
+            ": a line '# thickness: number' is missing; must be >= 1e-6 and <= 0.05 (t/W)",
         ),
         (
             scan_text(SCAN + "# strain: 0.2\n"),

@@ -83,8 +83,8 @@ def test_what_is_no_result_is_left_to_snakemake(path):
         (
             "out/wrinkle/rubber/aspect0.4_thickness0.06/strain1.1.h5",
             "aspect = 0.4: must be a number >= 0.5 and <= 20 (L/W); "
-            "thickness = 0.06: must be a number > 0 and <= 0.05 (t/W); "
-            "strain = 1.1: must be a number > 0 and <= 1",
+            "thickness = 0.06: must be a number >= 1e-6 and <= 0.05 (t/W); "
+            "strain = 1.1: must be a number >= 1e-7 and <= 1",
         ),
         (
             "out//wrinkle/rubber/aspect2.0_thickness.001/strain+1e-1.h5",
@@ -93,7 +93,7 @@ def test_what_is_no_result_is_left_to_snakemake(path):
         ),
         (
             "out/stability/rubber/aspect2_thicknessthin.json",
-            "thickness = thin: must be a number > 0 and <= 0.05 (t/W)",
+            "thickness = thin: must be a number >= 1e-6 and <= 0.05 (t/W)",
         ),
         (
             "out/metrics/ruber/aspect2_thickness0.001.csv",
