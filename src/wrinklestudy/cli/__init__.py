@@ -23,6 +23,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         from wrinklestudy.files.storage import format_json
 
         print(format_json(result), end="")
+    elif isinstance(result, str):
+        print(result, end="")
     else:
         print_text(result)
     return 0
