@@ -215,8 +215,12 @@ def _spelled(
     for name in names:
         if name not in known and not others and not IGNORED.fullmatch(name):
             with_unit = [other for other in known if other.startswith(f"{name}_")]
-            allowed = f"with its unit {' or '.join(with_unit)}" if with_unit else ", ".join(known)
-            raise ValueError(f"{where}: column {name!r} is unknown; allowed are {allowed}")
+            allowed = (
+                f"write it with its unit: {' or '.join(with_unit)}"
+                if with_unit
+                else f"allowed are {', '.join(known)}"
+            )
+            raise ValueError(f"{where}: column {name!r} is unknown; {allowed}")
     for column in columns:
         if column.needed and column.name not in spelled:
             wanted = " or ".join(column.spellings)

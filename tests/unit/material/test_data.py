@@ -102,10 +102,10 @@ def test_files_that_are_no_text_or_not_there(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match=r"absent\.csv: cannot be read"):
         read(tmp_path / "absent.csv")
     (tmp_path / "image.csv").write_bytes(b"\x89PNG\xff\xfe")
-    with pytest.raises(ValueError, match=r"image\.csv: is not UTF-8"):
+    with pytest.raises(ValueError, match=r"image\.csv, line 1: is not UTF-8"):
         read(tmp_path / "image.csv")
     (tmp_path / "long.csv").write_text("1" * 200_000)
-    with pytest.raises(ValueError, match=r"long\.csv, has column names but no data"):
+    with pytest.raises(ValueError, match=r"long\.csv: has column names but no data"):
         read(tmp_path / "long.csv")
 
 

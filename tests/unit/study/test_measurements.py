@@ -138,8 +138,11 @@ def test_points_of_two_sources_are_joined_in_order():
             "aspect,aspect,thickness,strain,amplitude_over_thickness\n2,2,1e-3,0.1,3\n",
             ", line 1: column 'aspect' stands twice",
         ),
-        (AMPLITUDE + "2,1e-3,0.1\n", ", line 2: 3 cells where 5 columns are named "
-            "(aspect, thickness, strain, amplitude_over_thickness, error)"),
+        (
+            AMPLITUDE + "2,1e-3,0.1\n",
+            ", line 2: 3 cells where 5 columns are named "
+            "(aspect, thickness, strain, amplitude_over_thickness, error)",
+        ),
         (
             AMPLITUDE + "# note\n2,1e-3,12,3,0\n",
             ", line 3, column strain: 12 must be >= 0 and <= 1 "
