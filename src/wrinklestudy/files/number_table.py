@@ -296,13 +296,17 @@ class _Written(NamedTuple):
 
 
 def _notes(table: TextTable, notes: Sequence[NumberNote]) -> dict[str, float]:
-    """Return the numbers of the lines ``# name: number``; other notes are left alone."""
+    """Return the numbers of the lines ``# name: number``; other notes are left alone.
+
+    An equals sign for the colon and underscores in the name mean the same.
+    """
     known = {note.name: note for note in notes}
     written: dict[str, _Written] = {}
     for line, text in table.notes:
-        name, colon, value = text.partition(":")
-        name = " ".join(name.split()).lower()
-        if colon and name in known:
+        name, *rest = re.split("[:=]", text, maxsplit=1)
+        name = " ".join(name.replace("_", " ").split()).lower()
+        value = "".join(rest)
+        if rest and name in known:
             if name in written:
                 raise ValueError(f"{table.path}, line {line}: '# {name}:' is given twice")
             written[name] = _Written(line, value.strip())

@@ -19,13 +19,15 @@ from wrinklestudy.typing import Array, Indices
 
 KEEP, REMOVE = TREATMENTS = ("keep", "remove")
 
-# Stretches from which the stress at rest is extrapolated.
-SMALL = (0.8, 1.25)
-# Fewer points leave the offset no standard error worth the name.
-_FEWEST = 5
-# An offset is told when it exceeds these parts of its standard error and of the largest stress at
-# small strains. Extrapolation of an Ogden or Yeoh curve is off by up to 0.5 % of that stress.
-_ERRORS, _PART = 4.0, 0.01
+# Stretches from which the stress at rest is extrapolated, and which are taken if these are few.
+SMALL, _WIDER = (0.8, 1.25), (0.6, 1.7)
+_FEW = 5
+# Fewer leave the offset no standard error.
+_FEWEST = 4
+# An offset is told when scatter makes one with less than this probability, and when it exceeds this
+# part of the largest stress at small strains: extrapolation of an Ogden or Yeoh curve is off by up
+# to 0.5 % of that.
+_PROBABILITY, _PART = 0.002, 0.005
 
 
 @dataclass(frozen=True)
@@ -65,7 +67,8 @@ class Extrapolation:
 def extrapolate(data: Measurement, modes: Sequence[str]) -> dict[str, Extrapolation]:
     """Return the stress at stretch 1 in each mode that has points enough at small strains.
 
-    T = T0 + a B0 + b B1 is fitted to the first loading within `SMALL`, with the stresses B of the
+    T = T0 + a B0 + b B1 is fitted to the first loading within `SMALL` (if there are few points, to
+    the five nearest to rest), with the stresses B of the
     two invariants of Mooney-Rivlin (B0 and B0/lambda in pure shear, where they are the same): exact
     for Mooney-Rivlin, and of all laws the first two terms in the strain are free.
 
@@ -76,16 +79,24 @@ def extrapolate(data: Measurement, modes: Sequence[str]) -> dict[str, Extrapolat
     modes : sequence of str
         The modes to look at.
     """
-    small = data.on("loading", 1) & data.within(SMALL)
+    loading, small = data.on("loading", 1), data.within(SMALL)
     found = {}
     for mode in modes:
-        rows = np.flatnonzero(small & (data.mode == mode))
+        own = loading & (data.mode == mode)
+        rows = np.flatnonzero(own & small)
+        if np.unique(data.stretch[rows]).size < _FEW:
+            rows = np.flatnonzero(own & data.within(_WIDER))
+            distance = np.abs(np.log(data.stretch[rows]))
+            nearest = np.unique(distance)[:_FEW]
+            rows = rows[distance <= nearest.max(initial=0.0)]
         if np.unique(data.stretch[rows]).size >= _FEWEST:
             found[mode] = _extrapolated(data.kept(rows), mode, rows)
     return found
 
 
 def _extrapolated(points: Measurement, mode: str, rows: Indices) -> Extrapolation:
+    from scipy.special import stdtrit
+
     first, second = (
         dimensionless_stress(law, points.stretch, mode) for law in MooneyRivlin.unit_laws()
     )
@@ -99,7 +110,8 @@ def _extrapolated(points: Measurement, mode: str, rows: Indices) -> Extrapolatio
     value = float(estimate.values[0]) * unit
     error = float(np.sqrt(estimate.covariance[0, 0])) * unit
     largest = float(np.abs(points.stress).max())
-    told = abs(value) > max(_ERRORS * error, _PART * largest)
+    quantile = float(stdtrit(points.stress.size - 3, 1.0 - 0.5 * _PROBABILITY))
+    told = abs(value) > max(quantile * error, _PART * largest)
     weight = np.ones_like(first) if points.standard_error is None else 1.0 / points.standard_error
     weights = np.linalg.pinv((design.T * weight).T)[0] * weight * unit
     return Extrapolation(Offset(value, error, told), rows, weights)
@@ -127,7 +139,7 @@ def removed(
         if mode not in extrapolations:
             raise ValueError(
                 f"{data.source}: a preload of the {mode} test cannot be removed; its loading needs "
-                f"at least {_FEWEST} stretches between {SMALL[0]:g} and {SMALL[1]:g}"
+                f"at least {_FEWEST} stretches between {_WIDER[0]:g} and {_WIDER[1]:g}"
             )
     return shifted(data, {mode: extrapolations[mode].offset for mode in modes})
 

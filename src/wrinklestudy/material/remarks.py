@@ -17,11 +17,13 @@ ILL_CONDITIONED = 30.0
 # Young's moduli in Pa of what is sold as rubber, gel or elastomer, with a margin.
 _YOUNG = (1e4, 1e8)
 # A curve straighter than this part of the bend of a neo-Hookean one, if that bends by so much.
-_STRAIGHT, _BEND = 0.5, 0.25
+_STRAIGHT, _BEND = 0.6, 0.2
 # A point apart from its neighbours by more than robust standard deviations, parts of the largest
 # stress.
 _DEVIATIONS, _OFF = 8.0, 0.05
 _SHOWN = 3
+# Part of the points that share their stretch with others, and how far their stresses may differ.
+_REPEATED, _GAP = 0.5, 0.05
 
 
 def remarks(fit: Fit, chosen: Chosen) -> tuple[str, ...]:
@@ -38,6 +40,7 @@ def remarks(fit: Fit, chosen: Chosen) -> tuple[str, ...]:
         *_straight(chosen.points),
         *_strange_modulus(fit),
         *_outliers(fit, chosen.points),
+        *_mixed(chosen.points),
         *_left_out(fit),
         *_constants(fit),
     )
@@ -111,6 +114,27 @@ def _outliers(fit: Fit, used: Measurement) -> Iterator[str]:
             f"{max(jumps) / fit.largest_stress_pa:.0%} of the largest stress apart from the "
             "neighbours; check"
         )
+
+
+def _mixed(used: Measurement) -> Iterator[str]:
+    """Yield that stresses at the same stretch differ: a loop that was sorted by strain."""
+    for mode in used.modes:
+        points = used.kept(used.mode == mode)
+        stretch, where, count = np.unique(points.stretch, return_inverse=True, return_counts=True)
+        most, least = np.full(stretch.size, -np.inf), np.full(stretch.size, np.inf)
+        np.maximum.at(most, where, points.stress)
+        np.minimum.at(least, where, points.stress)
+        twice = (count > 1) & (np.maximum(np.abs(most), np.abs(least)) > 0.0)
+        if np.sum(count[twice]) < _REPEATED * points.stretch.size:
+            continue
+        size = np.maximum(np.abs(most), np.abs(least))[twice]
+        gap = float(np.median((most - least)[twice] / size))
+        if gap > _GAP:
+            yield (
+                f"mixed: {mode} stresses at the same strain differ by {gap:.0%} (median); if these "
+                "are loading and unloading, leave them in the order of the test or name them in a "
+                "column branch"
+            )
 
 
 def _left_out(fit: Fit) -> Iterator[str]:

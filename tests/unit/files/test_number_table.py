@@ -105,6 +105,17 @@ def test_a_table_has_exactly_one_of_the_columns_that_mean_the_same(tmp_path):
         read_number_table(path, columns, either=either)
 
 
+@pytest.mark.parametrize(
+    "line", ["# gauge length: 80", "# Gauge_length = 80 mm", "#gauge  length:80"]
+)
+def test_a_note_may_be_spelled_as_people_do(tmp_path, line):
+    path = tmp_path / "curve.csv"
+    path.write_text(f"# E = 2 (a + b)\n{line}\nstrain\n0\n")
+    column = NumberColumn("strain", {"strain": 1.0})
+    note = NumberNote("gauge length", units={"mm": 1.0})
+    assert read_number_table(path, [column], notes=[note]).notes == {"gauge length": 80.0}
+
+
 def test_words_may_be_capitalised(tmp_path):
     table = read(tmp_path, "strain,stress_pa,mode\n0,1,Shear\n")
     assert table.words["mode"] == ("shear",)

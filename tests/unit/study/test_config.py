@@ -132,8 +132,8 @@ STRAIN = ("sheets", 0, "strain")
         ),
         (
             ("materials", "latex", "preload"),
-            True,
-            "materials.latex.preload = true: must be 'keep' or 'remove'",
+            "shift",
+            "materials.latex.preload = 'shift': must be 'keep' or 'remove'",
         ),
         (("materials",), {}, "materials = {}: must be a block with at least one material"),
         (
