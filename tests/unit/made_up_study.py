@@ -32,6 +32,8 @@ def material(name="latex", law="mooney-rivlin", constants=None, rms=100.0, note=
         ("uniaxial",),
         1.0,
         source,
+        3.5e5,
+        0.0,
     )
     return FittedMaterial(name, fit, note)
 

@@ -15,6 +15,9 @@ rule material:
         law=material_setting("law"),
         stretch=material_setting("stretch"),
         modes=material_setting("modes"),
+        branch=material_setting("branch"),
+        cycle=material_setting("cycle"),
+        preload=material_setting("preload"),
         code=code("material"),
     script:
         "../scripts/stage.py"

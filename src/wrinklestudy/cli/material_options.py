@@ -101,4 +101,5 @@ def _of_config(name: str, path: str) -> "Material":
     from wrinklestudy.study.config.one_material import read_material
 
     block = read_material(path, name)
-    return fit(block.data, block.law, stretch=block.stretch, modes=block.modes).material()
+    options = block.model_dump(exclude={"data", "law"})
+    return fit(block.data, block.law, **options).material()

@@ -18,6 +18,7 @@ from wrinklestudy.typing import AnyPath, Array, Indices
 # Plain decimal numbers: no underscores, no words such as inf
 _NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 _NUMBER_WITH_UNIT = re.compile(rf"({_NUMBER.pattern})\s*([^\d\s].*)")
+_DECIMAL_COMMA = re.compile(r"[-+]?\d+,(\d{1,2}|\d{4,})(?!\d)")
 _MISSING = ("", "nan", "na", "n/a", "null", "none", "-", "--")
 # What testing machines and scanners write beside what is measured
 IGNORED = re.compile(r"(time|point|index|cycle_time|temperature|brightness|intensity)(_.*)?")
@@ -91,7 +92,7 @@ class WordColumn:
     words : tuple of str
         What may stand in it.
     default : str
-        What a table without the column has throughout.
+        What a table without the column has throughout; empty where that means nothing.
     """
 
     name: str
@@ -155,6 +156,7 @@ def read_number_table(
     words: Sequence[WordColumn] = (),
     notes: Sequence[NumberNote] = (),
     others: bool = False,
+    either: Sequence[Sequence[str]] = (),
 ) -> NumberTable:
     """Read a table of numbers.
 
@@ -166,6 +168,8 @@ def read_number_table(
     notes : sequence of NumberNote
     others : bool
         Whether columns of other names are left alone; else only those of `IGNORED` are.
+    either : sequence of sequences of str
+        Names of columns of which a table must have exactly one.
 
     Raises
     ------
@@ -175,6 +179,8 @@ def read_number_table(
     """
     table = read_text_table(path)
     spelled = _spelled(table, columns, words, others)
+    for group in either:
+        _check_one_of(table, [column for column in columns if column.name in group], spelled)
     numbers = {
         column.name: _numbers(table, column, spelled[column.name])
         for column in columns
@@ -208,13 +214,32 @@ def _spelled(
     known += [column.name for column in words]
     for name in names:
         if name not in known and not others and not IGNORED.fullmatch(name):
-            allowed = ", ".join(known)
-            raise ValueError(f"{where}: column {name!r} is unknown; allowed are {allowed}")
+            with_unit = [other for other in known if other.startswith(f"{name}_")]
+            allowed = (
+                f"write it with its unit: {' or '.join(with_unit)}"
+                if with_unit
+                else f"allowed are {', '.join(known)}"
+            )
+            raise ValueError(f"{where}: column {name!r} is unknown; {allowed}")
     for column in columns:
         if column.needed and column.name not in spelled:
             wanted = " or ".join(column.spellings)
             raise ValueError(f"{where}: a column {wanted} is missing (has {', '.join(names)})")
     return spelled
+
+
+def _check_one_of(
+    table: TextTable, columns: Sequence[NumberColumn], spelled: Mapping[str, str]
+) -> None:
+    """Refuse a table that has none of some columns, or more than one."""
+    where = table.where(table.names)
+    own = [spelled[column.name] for column in columns if column.name in spelled]
+    if len(own) > 1:
+        raise ValueError(f"{where}: columns {' and '.join(own)} exclude each other")
+    if not own:
+        wanted = " or ".join(name for column in columns for name in column.spellings)
+        names = ", ".join(table.names.cells)
+        raise ValueError(f"{where}: a column {wanted} is missing (has {names})")
 
 
 def _numbers(table: TextTable, column: NumberColumn, name: str) -> Array:
@@ -255,12 +280,12 @@ def _words(table: TextTable, column: WordColumn) -> tuple[str, ...]:
         return (column.default,) * len(table.rows)
     place = table.names.cells.index(column.name)
     for row in table.rows:
-        if row.cells[place] not in column.words:
+        if row.cells[place].lower() not in column.words:
             raise ValueError(
                 f"{table.where(row, column.name)}: {row.cells[place]!r}; allowed are "
                 f"{', '.join(column.words)}"
             )
-    return tuple(row.cells[place] for row in table.rows)
+    return tuple(row.cells[place].lower() for row in table.rows)
 
 
 class _Written(NamedTuple):
@@ -271,13 +296,17 @@ class _Written(NamedTuple):
 
 
 def _notes(table: TextTable, notes: Sequence[NumberNote]) -> dict[str, float]:
-    """Return the numbers of the lines ``# name: number``; other notes are left alone."""
+    """Return the numbers of the lines ``# name: number``; other notes are left alone.
+
+    An equals sign for the colon and underscores in the name mean the same.
+    """
     known = {note.name: note for note in notes}
     written: dict[str, _Written] = {}
     for line, text in table.notes:
-        name, colon, value = text.partition(":")
-        name = " ".join(name.split()).lower()
-        if colon and name in known:
+        name, *rest = re.split("[:=]", text, maxsplit=1)
+        name = " ".join(name.replace("_", " ").split()).lower()
+        value = "".join(rest)
+        if rest and name in known:
             if name in written:
                 raise ValueError(f"{table.path}, line {line}: '# {name}:' is given twice")
             written[name] = _Written(line, value.strip())
@@ -294,13 +323,14 @@ def _notes(table: TextTable, notes: Sequence[NumberNote]) -> dict[str, float]:
 
 
 def _note_number(note: NumberNote, text: str, where: str) -> float:
-    number, factor = text, 1.0
-    with_unit = _NUMBER_WITH_UNIT.fullmatch(text)
+    plain = text.replace(",", ".", 1) if _DECIMAL_COMMA.match(text) else text
+    number, factor = plain, 1.0
+    with_unit = _NUMBER_WITH_UNIT.fullmatch(plain)
     if with_unit and (unit := with_unit[with_unit.lastindex or 0].strip()) in note.units:
         number, factor = with_unit[1], note.units[unit]
     if not _NUMBER.fullmatch(number):
         units = f"; units may be {', '.join(note.units)}" if note.units else ""
-        trouble = _unit_trouble(text) or "a number is needed"
+        trouble = _unit_trouble(plain) or "a number is needed, such as 0.12"
         raise ValueError(f"{where}: {text!r} is not a number; {trouble}{units}")
     value = float(number) * factor
     if not (math.isfinite(value) and note.bounds.hold(value)):

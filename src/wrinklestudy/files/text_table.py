@@ -122,10 +122,10 @@ def _cells(line: str, separator: str, where: str) -> Iterator[str]:
     if separator == " " and '"' not in line:
         yield from line.split()
         return
+    # Blanks behind a closing quote, which csv would take for text.
+    line = re.sub(f'" +(?={re.escape(separator)}|$)', '"', line.strip("\r\n"))
     try:
-        reader = csv.reader(
-            [line.strip("\r\n")], delimiter=separator, skipinitialspace=True, strict=True
-        )
+        reader = csv.reader([line], delimiter=separator, skipinitialspace=True, strict=True)
         yield from (cell.strip() for cell in next(reader))
     except csv.Error as error:
         raise ValueError(f"{where}: is not a row of cells ({error})") from None

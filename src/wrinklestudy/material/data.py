@@ -1,31 +1,77 @@
-"""Measured stress-strain data: one CSV format for bundled and for a user's own files.
+"""Measured stress-strain data: one format for bundled and for a user's own files.
 
-Lines that begin with ``#`` are the header note (source, sample, remarks). The first other line
-names the columns, separated by commas, in any order:
+Lines that begin with ``#`` are notes (source, sample, remarks). The first other line names the
+columns, in any order, with their units:
 
-* ``stretch`` or ``strain``: lambda = L'/L, or lambda - 1;
-* ``stress_pa`` or ``stress_mpa``: nominal stress, force per undeformed area;
+* ``stretch`` (lambda = L'/L), ``strain`` (lambda - 1), ``strain_percent``, or ``extension_mm`` with
+  a line ``# gauge length: 80 mm``;
+* ``stress_pa``, ``stress_kpa`` or ``stress_mpa``, nominal: force per undeformed area; or
+  ``force_n`` or ``load_n`` (kN: ``_kn``) with lines ``# width: 10 mm`` and ``# thickness: 1 mm``;
 * ``mode`` (optional): uniaxial (default), biaxial or shear;
-* ``standard_error_pa`` or ``standard_error_mpa`` (optional): of the stress, > 0.
+* ``branch`` (optional): loading or unloading; otherwise told from the order of the points;
+* ``standard_error_pa`` (kPa, MPa; optional): of the stress, > 0.
+
+`wrinklestudy.files.text_table` says which separators and decimal signs are understood.
 """
 
-import csv
-import math
 from collections.abc import Sequence
-from dataclasses import dataclass
-from pathlib import Path
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from wrinklestudy.files.number_table import (
+    Bounds,
+    NumberColumn,
+    NumberNote,
+    NumberTable,
+    WordColumn,
+    read_number_table,
+)
+from wrinklestudy.material.branches import BRANCHES, tell_branches
 from wrinklestudy.material.homogeneous import MODES
-from wrinklestudy.typing import Array
+from wrinklestudy.typing import AnyPath, Array, Indices, Mask
 
-_STRETCH = ("stretch", "strain")
-_STRESS = ("stress_pa", "stress_mpa")
-_ERROR = ("standard_error_pa", "standard_error_mpa")
-_COLUMNS = (*_STRETCH, *_STRESS, "mode", *_ERROR)
+# Larger strains are per cent.
+STRAIN_BOUNDS = Bounds(-1.0, 10.0, open_low=True)
+_POSITIVE = Bounds(0.0, open_low=True)
+_LENGTHS = {"mm": 1.0, "cm": 10.0, "m": 1e3, "um": 1e-3, "\N{MICRO SIGN}m": 1e-3}
+_PASCALS = {"pa": 1.0, "kpa": 1e3, "mpa": 1e6}
 
+
+def stress_spellings(name: str) -> dict[str, float]:
+    """Return the names of a column of stress with a unit, and their factors to Pa."""
+    return {f"{name}_{unit}": factor for unit, factor in _PASCALS.items()}
+
+
+def strain_column(bounds: Bounds = STRAIN_BOUNDS, needed: bool = True) -> NumberColumn:
+    """Return the column of strain that all tables have."""
+    spellings = {"strain": 1.0, "strain_percent": 0.01, "strain_%": 0.01}
+    hint = "0.12 is 12 %; per cent belongs in a column strain_percent"
+    return NumberColumn("strain", spellings, bounds, hint, needed)
+
+
+_STRETCH = NumberColumn(
+    "stretch",
+    {"stretch": 1.0},
+    Bounds(0.0, 1.0 + STRAIN_BOUNDS.high, open_low=True),
+    "1 is undeformed",
+    needed=False,
+)
+_EXTENSION = NumberColumn(
+    "extension",
+    {"extension_mm": 1.0, "extension_m": 1e3, "displacement_mm": 1.0, "displacement_m": 1e3},
+    needed=False,
+)
+_STRESS = NumberColumn("stress", stress_spellings("stress"), needed=False)
+_FORCE = NumberColumn(
+    "force", {"force_n": 1.0, "load_n": 1.0, "force_kn": 1e3, "load_kn": 1e3}, needed=False
+)
+_ERROR = NumberColumn("standard_error", stress_spellings("standard_error"), _POSITIVE, needed=False)
+_COLUMNS = (_STRETCH, strain_column(needed=False), _EXTENSION, _STRESS, _FORCE, _ERROR)
+_WORDS = (WordColumn("mode", MODES, MODES[0]), WordColumn("branch", BRANCHES, ""))
+_EXAMPLES = {"gauge length": "80 mm", "width": "10 mm", "thickness": "1 mm"}
+_NOTES = tuple(NumberNote(name, _POSITIVE, _LENGTHS) for name in _EXAMPLES)
 # A window that ends at 1.14 takes a point at strain 0.14, whose stretch is 1.1400000000000001.
 _EDGE = 1e-9
 
@@ -48,6 +94,9 @@ class Measurement:
         Name of the file.
     note : str
         Comment lines of the file.
+    branch, cycle, line : ndarray of shape ``(n,)`` or None
+        Branch (loading or unloading) and cycle (from 1) of each point, and its line in the file.
+        None: all points are of the first loading; not from a file.
     """
 
     stretch: Array
@@ -56,13 +105,31 @@ class Measurement:
     standard_error: Array | None = None
     source: str = "data"
     note: str = ""
+    branch: NDArray[np.str_] | None = None
+    cycle: Indices | None = None
+    line: Indices | None = None
 
-    def select(
+    def kept(self, rows: Mask | Indices) -> "Measurement":
+        """Return some of the points."""
+        columns = ("stretch", "stress", "mode", "standard_error", "branch", "cycle", "line")
+        values = {name: getattr(self, name) for name in columns}
+        return replace(
+            self, **{name: value[rows] for name, value in values.items() if value is not None}
+        )
+
+    def on(self, branch: str, cycle: int) -> Mask:
+        """Return which points are on a branch of a cycle."""
+        if self.branch is None or self.cycle is None:
+            return np.full(self.stretch.shape, (branch, cycle) == (BRANCHES[0], 1))
+        chosen: Mask = (self.branch == branch) & (self.cycle == cycle)
+        return chosen
+
+    def within(
         self,
         stretch: tuple[float, float] | None = None,
         modes: Sequence[str] | None = None,
-    ) -> "Measurement":
-        """Return the points inside a window of stretch (ends included) and of some modes.
+    ) -> Mask:
+        """Return which points are inside a window of stretch (ends included) and of some modes.
 
         Raises
         ------
@@ -80,29 +147,38 @@ class Measurement:
         if modes is not None:
             self._check_modes(modes)
             keep &= np.isin(self.mode, np.array(modes, dtype=np.str_))
-        error = None if self.standard_error is None else self.standard_error[keep]
-        return Measurement(
-            self.stretch[keep], self.stress[keep], self.mode[keep], error, self.source, self.note
-        )
+        return keep
+
+    def select(
+        self,
+        stretch: tuple[float, float] | None = None,
+        modes: Sequence[str] | None = None,
+    ) -> "Measurement":
+        """Return the points `within` a window of stretch and of some modes."""
+        return self.kept(self.within(stretch, modes))
+
+    @property
+    def modes(self) -> tuple[str, ...]:
+        """The deformation modes that the points have."""
+        return tuple(mode for mode in MODES if mode in self.mode)
 
     def _check_modes(self, modes: Sequence[str]) -> None:
         if isinstance(modes, str) or not modes:
             raise ValueError(f"modes = {modes!r}: must be a list of {', '.join(MODES)}")
-        present = [mode for mode in MODES if mode in self.mode]
         for mode in modes:
             if mode not in MODES:
                 raise ValueError(f"mode {mode!r} is unknown: allowed are {', '.join(MODES)}")
-            if mode not in present:
-                raise ValueError(f"{self.source}: has no {mode} data, only {', '.join(present)}")
+            if mode not in self.modes:
+                raise ValueError(f"{self.source}: has no {mode} data, only {', '.join(self.modes)}")
 
 
-def read(path: str | Path) -> Measurement:
+def read(path: AnyPath) -> Measurement:
     """Read a stress-strain file in the format of this module.
 
     Parameters
     ----------
-    path : str or Path
-        CSV file, UTF-8.
+    path : path-like
+        Table of numbers; see `wrinklestudy.files.text_table`.
 
     Returns
     -------
@@ -111,95 +187,64 @@ def read(path: str | Path) -> Measurement:
     Raises
     ------
     ValueError
-        If the file cannot be read, a column is missing, unknown or doubled, or a cell is not what
-        its column holds; one line naming the file, the line and the column.
+        If the file cannot be read, a column or a line with a size of the specimen is missing, a
+        column is unknown or doubled, or a cell is not what its column holds; one line naming the
+        file, the line and the column.
     """
-    path = Path(path)
-    note: list[str] = []
-    rows: list[tuple[int, list[str]]] = []
-    for number, line in enumerate(_text(path).splitlines(), start=1):
-        if line.lstrip().startswith("#"):
-            note.append(line.lstrip().lstrip("#").strip())
-        elif line.strip(" \t,"):
-            rows.append((number, _cells(line, f"{path}, line {number}")))
-    if not rows:
-        raise ValueError(f"{path}: is empty; expected a line of column names and the data")
-    (number, names), *points = rows
-    _check_columns(f"{path}, line {number}", names)
-    if not points:
-        raise ValueError(f"{path}: has column names but no data")
-    table: dict[str, list[float]] = {name: [] for name in names if name != "mode"}
-    modes: list[str] = []
-    for number, cells in points:
-        where = f"{path}, line {number}"
-        if len(cells) != len(names):
-            raise ValueError(f"{where}: {len(cells)} cells where {len(names)} columns are named")
-        row = dict(zip(names, cells, strict=True))
-        modes.append(_mode(row.pop("mode", "uniaxial"), where))
-        for name, cell in row.items():
-            table[name].append(_number(cell, name, where))
-    return _measurement(path.name, table, modes, "\n".join(note).strip())
+    table = read_number_table(
+        path,
+        _COLUMNS,
+        _WORDS,
+        _NOTES,
+        either=(("stretch", "strain", "extension"), ("stress", "force")),
+    )
+    stretch = _stretch(table)
+    mode = np.array(table.words["mode"], dtype=np.str_)
+    named = table.words["branch"]
+    branch, cycle = tell_branches(stretch, mode, named if all(named) else ())
+    return Measurement(
+        stretch,
+        _stress(table),
+        mode,
+        table.numbers.get("standard_error"),
+        table.path.name,
+        table.note,
+        branch,
+        cycle,
+        table.lines,
+    )
 
 
-def _text(path: Path) -> str:
-    try:
-        return path.read_text(encoding="utf-8-sig")
-    except OSError as error:
-        raise ValueError(f"{path}: cannot be read ({error.strerror})") from error
-    except UnicodeDecodeError as error:
-        raise ValueError(f"{path}: is not a UTF-8 text file") from error
+def _stretch(table: NumberTable) -> Array:
+    """Return the stretch; of an extension 1 + extension / gauge length."""
+    if "stretch" in table.numbers:
+        return table.numbers["stretch"]
+    if "strain" in table.numbers:
+        return 1.0 + table.numbers["strain"]
+    gauge = _size(table, "gauge length", "extension")
+    strain = table.numbers["extension"] / gauge
+    for line, value in zip(table.lines, strain, strict=True):
+        if not STRAIN_BOUNDS.hold(float(value)):
+            raise ValueError(
+                f"{table.path}, line {line}, column {table.spelled['extension']}: is a strain of "
+                f"{value:g}, which must be {STRAIN_BOUNDS.text}; is the gauge length {gauge:g} mm?"
+            )
+    return 1.0 + strain
 
 
-def _cells(line: str, where: str) -> list[str]:
-    try:
-        return [cell.strip() for cell in next(csv.reader([line]))]
-    except csv.Error as error:
-        raise ValueError(f"{where}: is not a line of comma-separated values ({error})") from error
+def _stress(table: NumberTable) -> Array:
+    """Return the nominal stress in Pa; of a force F/(W t)."""
+    if "stress" in table.numbers:
+        return table.numbers["stress"]
+    width, thickness = (_size(table, name, "force") for name in ("width", "thickness"))
+    return table.numbers["force"] / (width * thickness * 1e-6)
 
 
-def _check_columns(where: str, names: list[str]) -> None:
-    for name in names:
-        if name not in _COLUMNS:
-            allowed = ", ".join(_COLUMNS)
-            raise ValueError(f"{where}: column {name!r} is unknown; allowed are {allowed}")
-    for pair in (_STRETCH, _STRESS, _ERROR, ("mode",)):
-        found = [name for name in names if name in pair]
-        if len(found) > 1:
-            raise ValueError(f"{where}: columns {' and '.join(found)} exclude each other")
-        if not found and pair in (_STRETCH, _STRESS):
-            raise ValueError(f"{where}: a column {' or '.join(pair)} is missing")
-
-
-def _mode(cell: str, where: str) -> str:
-    if cell not in MODES:
-        raise ValueError(f"{where}: column mode holds {cell!r}; allowed are {', '.join(MODES)}")
-    return cell
-
-
-def _number(cell: str, name: str, where: str) -> float:
-    try:
-        value = float(cell)
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value):
-        raise ValueError(f"{where}: column {name} holds {cell!r}; a finite number is needed")
-    if name == "stretch" and value <= 0.0:
-        raise ValueError(f"{where}: column stretch holds {cell}; must be > 0 (1 is undeformed)")
-    if name == "strain" and value <= -1.0:
-        raise ValueError(f"{where}: column strain holds {cell}; must be > -1 (0 is undeformed)")
-    if name in _ERROR and value <= 0.0:
-        raise ValueError(f"{where}: column {name} holds {cell}; must be > 0")
-    return value
-
-
-def _measurement(
-    source: str, table: dict[str, list[float]], modes: list[str], note: str
-) -> Measurement:
-    """Bring the columns to stretch and Pa."""
-    column = {name: np.array(values, dtype=np.float64) for name, values in table.items()}
-    stretch = column["stretch"] if "stretch" in column else 1.0 + column["strain"]
-    stress = column["stress_pa"] if "stress_pa" in column else 1e6 * column["stress_mpa"]
-    error = column.get("standard_error_pa")
-    if "standard_error_mpa" in column:
-        error = 1e6 * column["standard_error_mpa"]
-    return Measurement(stretch, stress, np.array(modes, dtype=np.str_), error, source, note)
+def _size(table: NumberTable, name: str, column: str) -> float:
+    """Return a length of the specimen in mm."""
+    if name not in table.notes:
+        raise ValueError(
+            f"{table.path}: a line '# {name}: {_EXAMPLES[name]}' is missing; column "
+            f"{table.spelled[column]} needs the {name} of the specimen"
+        )
+    return table.notes[name]

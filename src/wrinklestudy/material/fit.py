@@ -5,11 +5,13 @@ an exact minimum: no start values, no iteration that may stop early. For other l
 from several starts that the law names.
 """
 
+import math
 from collections.abc import Sequence
-from pathlib import Path
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from wrinklestudy.material.choice import Choice, Chosen, choose
 from wrinklestudy.material.data import Measurement, read
 from wrinklestudy.material.estimates import (
     SINGULAR,
@@ -18,21 +20,26 @@ from wrinklestudy.material.estimates import (
     condition_number,
     linear_estimate,
 )
-from wrinklestudy.material.homogeneous import MODES, dimensionless_stress, nominal_stress
+from wrinklestudy.material.homogeneous import dimensionless_stress, nominal_stress
+from wrinklestudy.material.preload import REMOVE, SMALL, propagated
+from wrinklestudy.material.remarks import remarks
 from wrinklestudy.material.result import Fit
 from wrinklestudy.mechanics.laws import Constant, Law, MooneyRivlin, NeoHookean, law_of
-from wrinklestudy.typing import Array
+from wrinklestudy.typing import AnyPath, Array
 
 # Stretches that count as initial when a law of small strains is fitted without a window.
-INITIAL_STRETCH = (0.8, 1.25)
+INITIAL_STRETCH = SMALL
 
 
 def fit(
-    data: str | Path | Measurement,
+    data: AnyPath | Measurement,
     law: str,
     *,
     stretch: tuple[float, float] | None = None,
     modes: Sequence[str] | None = None,
+    branch: str = "loading",
+    cycle: int = 1,
+    preload: str = "keep",
 ) -> Fit:
     """Fit a law to measured nominal stresses by bounded least squares.
 
@@ -52,8 +59,8 @@ def fit(
 
     Parameters
     ----------
-    data : str, Path or Measurement
-        CSV file (see `wrinklestudy.material.data`) or data already read.
+    data : path-like or Measurement
+        File (see `wrinklestudy.material.data`) or data already read.
     law : str
         A name in `LAWS`.
     stretch : tuple of float, optional
@@ -61,6 +68,11 @@ def fit(
         small strains.
     modes : sequence of str, optional
         Deformation modes to use, all in the file by default.
+    branch, cycle : str, int
+        Which branch, loading or unloading, of which cycle, from 1; the first loading by default.
+    preload : str
+        What to do with a stress at stretch 1: keep it, which `Fit.warnings` then says, or remove
+        it from all stresses of its mode (see `wrinklestudy.material.preload`).
 
     Returns
     -------
@@ -72,15 +84,19 @@ def fit(
         If the file, law, window or mode is bad, too few points are left, the points cannot tell
         the constants apart, or no constants that are allowed give a rising stress.
     """
+    return fit_choice(data, law, Choice(stretch, modes, branch, cycle, preload))
+
+
+def fit_choice(data: AnyPath | Measurement, law: str, choice: Choice) -> Fit:
+    """Fit a law to a choice of points: `fit` with its options in one."""
     kind = law_of(law)
-    measurement = data if isinstance(data, Measurement) else read(data)
-    window = INITIAL_STRETCH if kind.small_strain and stretch is None else stretch
-    used = measurement.select(window, modes)
+    if kind.small_strain and choice.stretch is None:
+        choice = replace(choice, stretch=INITIAL_STRETCH)
+    chosen = choose(data if isinstance(data, Measurement) else read(data), choice)
+    used = chosen.points
     fitted = [constant for constant in kind.constants if constant.fitted]
-    if kind.linear or kind.small_strain:
-        estimate, condition = _linear(kind, fitted, used)
-    else:
-        estimate, condition = _nonlinear(kind, fitted, used)
+    solution = (_linear if kind.linear or kind.small_strain else _nonlinear)(kind, fitted, used)
+    estimate = solution.estimate
     constants = {c.name: float(v) for c, v in zip(fitted, estimate.values, strict=False)}
     defaults = {c.name: c.default for c in kind.constants if c.default is not None}
     if not kind.shear_modulus(defaults | constants) > 0.0:
@@ -88,23 +104,69 @@ def fit(
     misfit = nominal_stress(kind.material(**constants), used.stretch, used.mode) - used.stress
     if not np.isfinite(misfit).all():
         raise ValueError(f"{used.source}: {law} leaves no width at a stretch within the window")
-    return Fit(
+    covariance = _covariance(solution, chosen, choice)
+    free = int(estimate.free.sum())
+    result = Fit(
         law=law,
         constants=constants,
-        covariance=estimate.covariance[: len(fitted), : len(fitted)],
+        covariance=covariance[: len(fitted), : len(fitted)],
         at_bound=tuple(c.name for c, free in zip(fitted, estimate.free, strict=False) if not free),
         rms_pa=float(np.sqrt(np.mean(misfit**2))),
         count=used.stretch.size,
         stretch_range=(float(used.stretch.min()), float(used.stretch.max())),
-        modes=tuple(mode for mode in MODES if mode in used.mode),
-        condition_number=condition,
+        modes=used.modes,
+        condition_number=solution.condition,
         source=used.source,
+        largest_stress_pa=float(np.abs(used.stress).max()),
+        aicc=math.nan if kind.small_strain else _aicc(misfit, used, free),
+        branch=choice.branch,
+        cycle=choice.cycle,
+        preload=choice.preload,
+        offsets={mode: one.offset for mode, one in chosen.extrapolations.items()},
+        loops=chosen.loops,
     )
+    return replace(result, warnings=remarks(result, chosen))
 
 
-def _linear(
-    kind: type[Law], fitted: Sequence[Constant], used: Measurement
-) -> tuple[Estimate, float]:
+@dataclass(frozen=True, eq=False)
+class _Solution:
+    """Estimated parameters, how well they are told apart, and (n, p) derivatives of the stress."""
+
+    estimate: Estimate
+    condition: float
+    slopes: Array
+
+
+def _covariance(solution: _Solution, chosen: Chosen, choice: Choice) -> Array:
+    """Return the covariance of the parameters, with that of offsets that were removed before."""
+    covariance, free = solution.estimate.covariance, solution.estimate.free
+    if choice.preload != REMOVE or not covariance[np.ix_(free, free)].any():
+        return covariance
+    corrected = np.zeros_like(covariance)
+    corrected[np.ix_(free, free)] = propagated(
+        covariance[np.ix_(free, free)],
+        solution.slopes[:, free],
+        chosen.whole,
+        chosen.rows,
+        chosen.extrapolations,
+    )
+    return corrected
+
+
+def _aicc(misfit: Array, used: Measurement, free: int) -> float:
+    """Return Akaike's information criterion for few points; see `Fit`."""
+    count = misfit.size
+    if count <= free + 1:
+        return math.nan
+    weight = np.ones(count) if used.standard_error is None else used.standard_error**-2
+    mean_square = float(np.sum(weight * misfit**2) / np.sum(weight))
+    # Data that the law interpolates exactly are still known to rounding only.
+    rounding = np.finfo(np.float64).eps * float(np.abs(used.stress).max())
+    fit_term = count * math.log(max(mean_square, rounding**2))
+    return fit_term + 2.0 * free + 2.0 * free * (free + 1) / (count - free - 1)
+
+
+def _linear(kind: type[Law], fitted: Sequence[Constant], used: Measurement) -> _Solution:
     """Return the estimate of a law whose stress is linear in its constants; they come first."""
     design = _initial_slope(used) if kind.small_strain else _basis(kind, used)
     _check_points(kind, used, design.shape[1])
@@ -112,12 +174,11 @@ def _linear(
     low, high = np.full(design.shape[1], -np.inf), np.full(design.shape[1], np.inf)
     if not kind.small_strain:  # otherwise a negative slope is an error, not a fit on the bound
         low, high = (np.array([getattr(c, end) for c in fitted]) for end in ("low", "high"))
-    return linear_estimate(design, used.stress, used.standard_error, low, high), condition
+    estimate = linear_estimate(design, used.stress, used.standard_error, low, high)
+    return _Solution(estimate, condition, design)
 
 
-def _nonlinear(
-    kind: type[Law], fitted: Sequence[Constant], used: Measurement
-) -> tuple[Estimate, float]:
+def _nonlinear(kind: type[Law], fitted: Sequence[Constant], used: Measurement) -> _Solution:
     """Return the estimate of any law, found from the starts that it names."""
     _check_points(kind, used, len(fitted))
     column = _basis(NeoHookean, used)[:, 0]
@@ -151,7 +212,8 @@ def _nonlinear(
     covariance = scaled.covariance * np.outer(unit, unit)
     estimate = Estimate(scaled.values * unit, covariance, scaled.free)
     order = kind.canonical_order(dict(zip(names, estimate.values.tolist(), strict=True)))
-    return estimate.permuted([names.index(name) for name in order]), condition
+    places = [names.index(name) for name in order]
+    return _Solution(estimate.permuted(places), condition, (slopes * modulus / unit)[:, places])
 
 
 def _basis(kind: type[Law], used: Measurement) -> Array:
@@ -187,7 +249,7 @@ def _told_apart(columns: Array, kind: type[Law], used: Measurement) -> float:
     """Return the condition number of the columns, after checking that they are independent."""
     condition = condition_number(columns)
     if not condition < SINGULAR:
-        modes = ", ".join(mode for mode in MODES if mode in used.mode)
+        modes = ", ".join(used.modes)
         raise ValueError(
             f"{used.source}: the points chosen ({modes}) cannot tell the constants of {kind.name}"
             " apart; take more modes, a wider stretch window, or a law of fewer constants"

@@ -1,10 +1,13 @@
 """A fitted law with its uncertainty, and the material file that holds it."""
 
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass, field
 from typing import Any
 
 import numpy as np
 
+from wrinklestudy.material.branches import BRANCHES, Loop
+from wrinklestudy.material.preload import KEEP, Offset
+from wrinklestudy.material.stability import Stability, stability
 from wrinklestudy.mechanics.laws import Material, law_of
 from wrinklestudy.typing import Array
 
@@ -38,6 +41,22 @@ class Fit:
         of them is known.
     source : str
         Name of the data.
+    largest_stress_pa : float
+        Largest magnitude of the stresses used.
+    aicc : float
+        Akaike's information criterion corrected for few points, n ln(RSS/n) + 2 k +
+        2 k (k + 1)/(n - k - 1), of n points with k free constants and the residual sum of squares
+        RSS in Pa^2, weighted where standard errors are known (weights of mean 1). The lower, the
+        better, between laws that are fitted to the same points; NaN if n <= k + 1, and for a law of
+        small strains, which no least squares of its own fit.
+    branch, cycle, preload : str, int, str
+        As in `wrinklestudy.material.choice.Choice`.
+    offsets : dict
+        Stress at stretch 1 by mode, as it was before anything was removed.
+    loops : dict
+        Loading and unloading by mode, where there is more than one loading.
+    warnings : tuple of str
+        What a person must know, one line each; see `wrinklestudy.material.remarks`.
     """
 
     law: str
@@ -50,6 +69,14 @@ class Fit:
     modes: tuple[str, ...]
     condition_number: float
     source: str
+    largest_stress_pa: float
+    aicc: float
+    branch: str = BRANCHES[0]
+    cycle: int = 1
+    preload: str = KEEP
+    offsets: dict[str, Offset] = field(default_factory=dict)
+    loops: dict[str, Loop] = field(default_factory=dict)
+    warnings: tuple[str, ...] = ()
 
     @property
     def parameters(self) -> tuple[str, ...]:
@@ -79,6 +106,21 @@ class Fit:
     def material(self) -> Material:
         """Return the fitted material."""
         return law_of(self.law).material(**self.constants)
+
+    @property
+    def rms_percent(self) -> float:
+        """The root mean square misfit in per cent of the largest stress."""
+        return 100.0 * self.rms_pa / self.largest_stress_pa
+
+    @property
+    def stability(self) -> Stability:
+        """Where the stress of the law rises with stretch, over the range of the data."""
+        return stability(self.material(), self.stretch_range)
+
+    @property
+    def polyconvex(self) -> bool | None:
+        """Whether the energy is polyconvex; None where that is not known."""
+        return law_of(self.law).polyconvex(self.constants)
 
     def as_dict(self) -> dict[str, Any]:
         """Return the fit as plain numbers, strings and lists for JSON.
@@ -111,4 +153,21 @@ class Fit:
             "modes": list(self.modes),
             "condition_number": self.condition_number,
             "source": self.source,
+            "largest_stress_pa": self.largest_stress_pa,
+            "rms_percent": self.rms_percent,
+            "aicc": None if self.aicc != self.aicc else self.aicc,
+            "stable": self.stability.stable,
+            "unstable_from_stretch": self.stability.lost_at,
+            "polyconvex": self.polyconvex,
+            "branch": self.branch,
+            "cycle": self.cycle,
+            "preload": self.preload,
+            "stress_at_rest": {mode: asdict(offset) for mode, offset in self.offsets.items()},
+            "loops": {mode: _plain(asdict(loop)) for mode, loop in self.loops.items()},
+            "warnings": list(self.warnings),
         }
+
+
+def _plain(values: dict[str, Any]) -> dict[str, Any]:
+    """Return values with None for NaN."""
+    return {key: None if value != value else value for key, value in values.items()}

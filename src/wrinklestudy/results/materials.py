@@ -1,10 +1,13 @@
 """Reading the files of the material stage."""
 
+import math
 from pathlib import Path
 
 import numpy as np
 
 from wrinklestudy.files.storage import read_json
+from wrinklestudy.material.branches import Loop
+from wrinklestudy.material.preload import Offset
 from wrinklestudy.material.result import Fit
 from wrinklestudy.mechanics.laws import Material, law_of
 
@@ -39,11 +42,26 @@ def load_fit(path: str | Path) -> Fit:
             modes=tuple(content["modes"]),
             condition_number=float(content["condition_number"]),
             source=str(content["source"]),
+            largest_stress_pa=float(content["largest_stress_pa"]),
+            aicc=_number(content["aicc"]),
+            branch=content["branch"],
+            cycle=int(content["cycle"]),
+            preload=content["preload"],
+            offsets={mode: Offset(**one) for mode, one in content["stress_at_rest"].items()},
+            loops={
+                mode: Loop(**{**one, "hysteresis": _number(one["hysteresis"])})
+                for mode, one in content["loops"].items()
+            },
+            warnings=tuple(content["warnings"]),
         )
     except KeyError as error:
         raise ValueError(f"{path}: key {error} is missing; not a material file") from error
     except (TypeError, ValueError) as error:
         raise ValueError(f"{path}: not a material file ({error})") from error
+
+
+def _number(value: float | None) -> float:
+    return math.nan if value is None else float(value)
 
 
 def load_material(path: str | Path) -> Material:

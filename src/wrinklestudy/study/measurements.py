@@ -13,10 +13,17 @@ from pathlib import Path
 
 import numpy as np
 
+from wrinklestudy.files.number_table import (
+    Bounds,
+    NumberColumn,
+    NumberTable,
+    read_number_table,
+)
+from wrinklestudy.material.data import strain_column, stress_spellings
 from wrinklestudy.metrics.measure import Measures, measure
 from wrinklestudy.metrics.profile import Profile, cleaned, noise_level
 from wrinklestudy.results.cases import canonical
-from wrinklestudy.typing import Array
+from wrinklestudy.typing import Array, Mask
 from wrinklestudy.vocabulary import ASPECT, STRAIN, THICKNESS, Limits
 
 SheetSize = tuple[float, float]
@@ -33,11 +40,6 @@ _STRAIN: _Rule = (str(_MEASURED_STRAIN), _MEASURED_STRAIN.__contains__)
 _ERROR: _Rule = (">= 0", lambda v: v >= 0.0)
 
 _SHEET_COLUMNS = {"aspect": _ASPECT, "thickness": _THICKNESS, "strain": _STRAIN}
-_STRESS_COLUMNS = {"strain": ("> -1 and <= 10", lambda v: -1.0 < v <= 10.0), "stress_pa": _ANY}
-_VALUE_COLUMNS: dict[str, dict[str, _Rule]] = {
-    "amplitude": {"amplitude_over_thickness": (">= 0 (A/t)", lambda v: v >= 0.0)},
-    "wavelength": {"wavelength_over_width": ("> 0 and <= 1 (lambda/W)", lambda v: 0.0 < v <= 1.0)},
-}
 _SCAN_HEADER: dict[str, _Rule] = {
     **_SHEET_COLUMNS,
     "width": ("> 0", lambda v: v > 0.0),
@@ -66,6 +68,10 @@ class Points:
         """Return the points of both."""
         both = zip(self._arrays(), other._arrays(), strict=True)
         return Points(*(np.concatenate(pair) for pair in both))
+
+    def kept(self, rows: Mask) -> "Points":
+        """Return some of the points."""
+        return Points(*(values[rows] for values in self._arrays()))
 
     def highest(self) -> tuple[float, float]:
         """Return the largest value and its error."""
@@ -133,23 +139,57 @@ def kind(path: str | PathLike[str]) -> str:
     raise ValueError(f"{path}: unknown measured data; allowed are {names} and profiles/*.csv")
 
 
+def _bounds(limits: Limits) -> Bounds:
+    return Bounds(limits.lowest, limits.highest, limits.above_lowest)
+
+
+_ERROR_BOUNDS = Bounds(0.0)
+_STRESS_TABLE = (
+    strain_column(),
+    NumberColumn("stress", stress_spellings("stress")),
+    NumberColumn("error", stress_spellings("error"), _ERROR_BOUNDS, needed=False, gaps=True),
+)
+_SHEET_TABLE = (
+    NumberColumn("aspect", {"aspect": 1.0}, _bounds(ASPECT), "L/W"),
+    NumberColumn("thickness", {"thickness": 1.0}, _bounds(THICKNESS), "t/W"),
+    strain_column(_bounds(_MEASURED_STRAIN)),
+    NumberColumn("error", {"error": 1.0}, _ERROR_BOUNDS, needed=False, gaps=True),
+)
+_VALUES = {
+    "amplitude": NumberColumn("value", {"amplitude_over_thickness": 1.0}, Bounds(0.0), "A/t"),
+    "wavelength": NumberColumn(
+        "value",
+        {"wavelength_over_width": 1.0},
+        Bounds(0.0, 1.0, open_low=True),
+        "lambda/W",
+    ),
+}
+
+
 def read_stress(path: str | PathLike[str]) -> Points:
     """Read nominal stress (Pa) against strain: columns strain, stress_pa, optional error_pa.
+
+    Strain may be strain_percent, stress and error may be in kPa and MPa.
 
     Raises
     ------
     ValueError
         If the file is not such a table; one line that names the file, the line and the column.
     """
-    table = _table(Path(path), _STRESS_COLUMNS, "error_pa")
-    return Points(table["strain"], table["stress_pa"], table["error_pa"])
+    table = read_number_table(path, _STRESS_TABLE)
+    return _points(table, table.numbers["stress"])
+
+
+def _points(table: NumberTable, value: Array) -> Points:
+    unknown = np.full(value.shape, math.nan)
+    return Points(table.numbers["strain"], value, table.numbers.get("error", unknown))
 
 
 def read_sheets(path: str | PathLike[str]) -> dict[SheetSize, Points]:
     """Read amplitude.csv (A/t) or wavelength.csv (lambda/W) against strain, sheet by sheet.
 
-    Columns aspect, thickness, strain, amplitude_over_thickness or wavelength_over_width,
-    optional error.
+    Columns aspect, thickness, strain or strain_percent, amplitude_over_thickness or
+    wavelength_over_width, optional error.
 
     Returns
     -------
@@ -161,18 +201,18 @@ def read_sheets(path: str | PathLike[str]) -> dict[SheetSize, Points]:
     ValueError
         If the file is not such a table; one line that names the file, the line and the column.
     """
-    columns = _VALUE_COLUMNS[kind(path)]
-    table = _table(Path(path), _SHEET_COLUMNS | columns, "error")
-    (value,) = columns
+    table = read_number_table(path, (*_SHEET_TABLE, _VALUES[kind(path)]))
+    points = _points(table, table.numbers["value"])
     sheets = [
-        (canonical(a), canonical(t))
-        for a, t in zip(table["aspect"], table["thickness"], strict=True)
+        (canonical(aspect), canonical(thickness))
+        for aspect, thickness in zip(
+            table.numbers["aspect"], table.numbers["thickness"], strict=True
+        )
     ]
-    found = {}
-    for sheet in sorted(set(sheets)):
-        own = np.array([one == sheet for one in sheets])
-        found[sheet] = Points(table["strain"][own], table[value][own], table["error"][own])
-    return found
+    return {
+        sheet: points.kept(np.array([other == sheet for other in sheets]))
+        for sheet in sorted(set(sheets))
+    }
 
 
 def read_scan(path: str | PathLike[str]) -> Scan:

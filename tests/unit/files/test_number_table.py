@@ -48,7 +48,11 @@ def test_gaps_are_allowed_only_where_they_are(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("text", "width"), [("140", 140.0), ("140 mm", 140.0), ("0.14m", 140.0), ("1.4e2 mm", 140.0)]
+    ("text", "width"),
+    [
+        *(("140", 140.0), ("140 mm", 140.0), ("0.14m", 140.0), ("1.4e2 mm", 140.0)),
+        *(("140,5 mm", 140.5), ("0,1405 m", 140.5)),
+    ],
 )
 def test_a_note_may_have_a_unit(tmp_path, text, width):
     table = read(tmp_path, f"# Width:  {text}\n# by: me\nstrain,stress_pa\n0,1\n")
@@ -69,6 +73,8 @@ def test_a_note_may_have_a_unit(tmp_path, text, width):
         ("strain,stress_pa,sterss\n0,1,2\n", "column 'sterss' is unknown; allowed are strain,"),
         ("strain,stress_pa,mode\n0,1,tension\n", "column mode: 'tension'; allowed are uniaxial"),
         ("# width: 140 furlong\nstrain,stress_pa\n0,1\n", "without the unit 'furlong'; units may"),
+        ("# width: 1,405 m\nstrain,stress_pa\n0,1\n", "line 1, width: '1,405 m' is not a number"),
+        ("strain,stress\n0,1\n", "'stress' is unknown; write it with its unit: stress_pa or"),
         ("# width: -1\nstrain,stress_pa\n0,1\n", "line 1, width: -1 must be > 0"),
         ("# width: 1\n# width: 2\nstrain,stress_pa\n0,1\n", "line 2: '# width:' is given twice"),
     ],
@@ -83,3 +89,33 @@ def test_one_line_names_what_is_wrong(tmp_path, text, message):
 def test_other_columns_are_left_alone_on_request(tmp_path):
     table = read(tmp_path, "strain,stress_pa,x\n0,1,?\n", others=True)
     assert set(table.numbers) == {"strain", "stress"}
+
+
+def test_a_table_has_exactly_one_of_the_columns_that_mean_the_same(tmp_path):
+    path = tmp_path / "curve.csv"
+    columns = [NumberColumn(name, {name: 1.0}, needed=False) for name in ("stretch", "strain")]
+    either = (("stretch", "strain"),)
+    path.write_text("strain\n0\n")
+    assert list(read_number_table(path, columns, either=either).numbers) == ["strain"]
+    path.write_text("strain,stretch\n0,1\n")
+    with pytest.raises(ValueError, match="line 1: columns stretch and strain exclude each other"):
+        read_number_table(path, columns, either=either)
+    path.write_text("time\n0\n")
+    with pytest.raises(ValueError, match=r"a column stretch or strain is missing \(has time\)"):
+        read_number_table(path, columns, either=either)
+
+
+@pytest.mark.parametrize(
+    "line", ["# gauge length: 80", "# Gauge_length = 80 mm", "#gauge  length:80"]
+)
+def test_a_note_may_be_spelled_as_people_do(tmp_path, line):
+    path = tmp_path / "curve.csv"
+    path.write_text(f"# E = 2 (a + b)\n{line}\nstrain\n0\n")
+    column = NumberColumn("strain", {"strain": 1.0})
+    note = NumberNote("gauge length", units={"mm": 1.0})
+    assert read_number_table(path, [column], notes=[note]).notes == {"gauge length": 80.0}
+
+
+def test_words_may_be_capitalised(tmp_path):
+    table = read(tmp_path, "strain,stress_pa,mode\n0,1,Shear\n")
+    assert table.words["mode"] == ("shear",)

@@ -248,3 +248,30 @@ def test_yeoh_is_a_polynomial_in_the_first_invariant(metric: np.ndarray) -> None
     first = metric[0] + metric[1] + law.thickness_stretch(metric)[0] ** 2 - 3.0
     expected = 0.5 * first - 0.1 * first**2 + 0.05 * first**3
     assert law.energy(metric) == pytest.approx(expected, rel=1e-11, abs=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("law", "constants", "known"),
+    [
+        ("mooney-rivlin", {"c10": 1e5, "c01": 0.0}, True),
+        ("neo-hookean", {"c10": 1e5}, True),
+        ("yeoh", {"c10": 1e5, "c20": 0.0, "c30": 1e3}, True),
+        ("yeoh", {"c10": 1e5, "c20": -1e3, "c30": 1e3}, None),
+        ("ogden", {"mu1": 1e5, "alpha1": 2.0, "mu2": -1e4, "alpha2": -2.0}, True),
+        ("ogden", {"mu1": 1e5, "alpha1": 0.8, "mu2": -1e4, "alpha2": -2.0}, None),
+        ("svk", {"young": 1e6}, False),
+    ],
+)
+def test_polyconvexity_is_said_where_it_is_known(
+    law: str, constants: dict[str, float], known: bool | None
+) -> None:
+    assert law_of(law).polyconvex(constants) is known
+
+
+def test_svk_is_not_elliptic_in_compression() -> None:
+    """Below a stretch of 1/sqrt(3) the energy of a bar is not convex, as no polyconvex one is."""
+    stretch = np.array([0.50, 0.54, 0.60, 0.64])
+    width = np.ones_like(stretch)
+    metric = np.stack([stretch**2, width, 0 * width])
+    pull = 2.0 * stretch * SaintVenantKirchhoff(0.0).derivatives(metric)[0][0]
+    assert np.diff(pull)[0] < 0.0 < np.diff(pull)[-1]

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from matplotlib.text import Annotation
 
+from wrinklestudy.stages import material
 from wrinklestudy.stages.figures import run as draw_figure
 from wrinklestudy.studies.panaitescu2019 import CATALOGUE, figures, theory
 from wrinklestudy.studies.panaitescu2019.figures import (
@@ -280,6 +281,29 @@ def test_stress_is_normalised_by_the_stated_modulus_and_both_are_printed(materia
     }
     curves = [line for line in rubber.lines if len(line.get_xdata()) == 200]
     assert len(curves) == 2 * 3
+
+
+def test_the_curve_of_a_fit_goes_through_the_points_that_it_is_of(tmp_path):
+    """Loading and unloading of one file, both without their preload, are two panels."""
+    stretch = np.linspace(1.0, 1.5, 11)
+    pull = 2e5 * (stretch - stretch**-2)
+    rows = [*zip(stretch, pull, strict=True), *zip(stretch[::-1], 0.7 * pull[::-1], strict=True)]
+    data = tmp_path / "cyclic.csv"
+    text = "".join(f"{lam},{1e4 + value}\n" for lam, value in rows)
+    data.write_text("stretch,stress_pa\n" + text)
+    files = []
+    for branch in ("loading", "unloading"):
+        files.append(tmp_path / f"{branch}.json")
+        options = {"branch": branch, "preload": "remove"}
+        material.run(data, "neo-hookean", branch, None, None, files[-1], **options)
+    figure = fig01_stress.draw(Inputs(materials=tuple(files), data=(data,)))
+    assert len(figure.axes) == 2
+    for axes, part in zip(figure.axes, (1.0, 0.7), strict=True):
+        points, curve = (line.get_xydata() for line in axes.lines[:2])
+        assert len(points) == 11
+        top = points[np.argmax(points[:, 0])]
+        assert top == pytest.approx([0.5, part * pull[-1] / 1e6], rel=1e-6)
+        assert curve[-1] == pytest.approx(top, rel=1e-6)
 
 
 def test_svk_of_the_initial_slope_is_told_from_that_with_the_stated_modulus(materials):

@@ -72,7 +72,7 @@ def write_study(folder, name="latex"):
     note = "x & y"
     fit = Fit(
         *("mooney-rivlin", constants, np.zeros((2, 2)), (), 10.0, 51, (1.0, 1.5)),
-        *(("uniaxial",), 1.0, "latex.csv"),
+        *(("uniaxial",), 1.0, "latex.csv", 3.5e5, 0.0),
     )
     write_json(folder / "material.json", {"name": name, **fit.as_dict(), "source_note": note})
     return {

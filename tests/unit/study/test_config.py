@@ -120,6 +120,21 @@ STRAIN = ("sheets", 0, "strain")
             ["torsion"],
             "materials.latex.modes[0] = 'torsion': must be 'uniaxial', 'biaxial' or 'shear'",
         ),
+        (
+            ("materials", "latex", "branch"),
+            "up",
+            "materials.latex.branch = 'up': must be 'loading' or 'unloading'",
+        ),
+        (
+            ("materials", "latex", "cycle"),
+            0,
+            "materials.latex.cycle = 0: must be a whole number >= 1 and <= 1000",
+        ),
+        (
+            ("materials", "latex", "preload"),
+            "shift",
+            "materials.latex.preload = 'shift': must be 'keep' or 'remove'",
+        ),
         (("materials",), {}, "materials = {}: must be a block with at least one material"),
         (
             ("figures", "sheet", "material"),

@@ -65,6 +65,17 @@ def test_columns_may_stand_in_any_order_among_notes_and_blank_lines(write):
     assert np.isnan(points.error).all()
 
 
+def test_per_cent_and_megapascals_are_read_as_such(write):
+    text = "strain_percent;stress_mpa;error_kpa\n10;0,1;5\n25;0,2;\n"
+    points = read_stress(write("stress.csv", text))
+    assert points.strain.tolist() == pytest.approx([0.1, 0.25])
+    assert points.value.tolist() == pytest.approx([1e5, 2e5])
+    assert points.error[0] == pytest.approx(5e3)
+    amplitude = "aspect,thickness,strain_percent,amplitude_over_thickness\n2,1e-3,12,3\n"
+    (points,) = read_sheets(write("amplitude.csv", amplitude)).values()
+    assert points.strain.tolist() == pytest.approx([0.12])
+
+
 def test_an_error_may_be_known_for_some_points_only(write):
     points = read_stress(write("stress.csv", "strain,stress_pa,error_pa\n0.1,1e5,5e3\n0.2,2e5,\n"))
     assert points.error[0] == 5e3
@@ -115,43 +126,50 @@ def test_points_of_two_sources_are_joined_in_order():
         (AMPLITUDE, ": has column names but no data"),
         (
             "aspect,strain,amplitude_over_thickness\n2,0.1,3\n",
-            ", line 1: column 'thickness' is missing "
+            ", line 1: a column thickness is missing "
             "(has aspect, strain, amplitude_over_thickness)",
         ),
         (
-            "aspect,thickness,strain,amplitude_over_thickness,err\n",
-            ", line 1: column 'err': allowed are aspect, thickness, strain, "
-            "amplitude_over_thickness, error",
+            "aspect,thickness,strain,amplitude_over_thickness,err\n2,1e-3,0.1,3,0\n",
+            ", line 1: column 'err' is unknown; allowed are aspect, thickness, strain, "
+            "strain_percent, strain_%, error, amplitude_over_thickness",
         ),
         (
             "aspect,aspect,thickness,strain,amplitude_over_thickness\n2,2,1e-3,0.1,3\n",
             ", line 1: column 'aspect' stands twice",
         ),
-        (AMPLITUDE + "2,1e-3,0.1\n", ", line 2: 3 cells for 5 columns"),
+        (
+            AMPLITUDE + "2,1e-3,0.1\n",
+            ", line 2: 3 cells where 5 columns are named "
+            "(aspect, thickness, strain, amplitude_over_thickness, error)",
+        ),
         (
             AMPLITUDE + "# note\n2,1e-3,12,3,0\n",
-            ", line 3, column strain: '12' must be >= 0 and <= 1 (0.12 is 12%)",
+            ", line 3, column strain: 12 must be >= 0 and <= 1 "
+            "(0.12 is 12 %; per cent belongs in a column strain_percent)",
         ),
         (
             AMPLITUDE + "2,140,0.1,3,0\n",
-            ", line 2, column thickness: '140' must be >= 1e-6 and <= 0.05 (t/W)",
+            ", line 2, column thickness: 140 must be >= 1e-6 and <= 0.05 (t/W)",
         ),
         (
             AMPLITUDE + "28,1e-3,0.1,3,0\n",
-            ", line 2, column aspect: '28' must be >= 0.5 and <= 20 (L/W)",
+            ", line 2, column aspect: 28 must be >= 0.5 and <= 20 (L/W)",
         ),
         (
             AMPLITUDE + "2,1e-3,0.1,-3,0\n",
-            ", line 2, column amplitude_over_thickness: '-3' must be >= 0 (A/t)",
+            ", line 2, column amplitude_over_thickness: -3 must be >= 0 (A/t)",
         ),
-        (AMPLITUDE + "2,1e-3,0.1,3,-1\n", ", line 2, column error: '-1' must be >= 0"),
+        (AMPLITUDE + "2,1e-3,0.1,3,-1\n", ", line 2, column error: -1 must be >= 0"),
         (
             AMPLITUDE + "2,1e-3,0.1,,0\n",
-            ", line 2, column amplitude_over_thickness: '' must be >= 0 (A/t)",
+            ", line 2, column amplitude_over_thickness: '' is not a number; a number is needed, "
+            "such as 0.12 or 1.5e5",
         ),
         (
             AMPLITUDE + "2,1e-3,0.1,inf,0\n",
-            ", line 2, column amplitude_over_thickness: 'inf' must be >= 0 (A/t)",
+            ", line 2, column amplitude_over_thickness: 'inf' is not a number; a number is "
+            "needed, such as 0.12 or 1.5e5",
         ),
     ],
 )
@@ -163,15 +181,16 @@ def test_files_that_are_no_text_are_refused(tmp_path):
     path = tmp_path / "stress.csv"
     assert "cannot be read (No such file" in refusal(read_stress, path)
     path.write_bytes(b"strain,stress_pa\n\xff\xfe,1\n")
-    assert refusal(read_stress, path) == ": is not a UTF-8 text file"
+    assert refusal(read_stress, path) == ", line 2: is not UTF-8 text; save the file as UTF-8"
     path.write_text("strain,stress_pa\n0.1,abc\n")
-    message = ", line 2, column stress_pa: 'abc' must be a finite number"
+    message = ", line 2, column stress_pa: 'abc' is not a number; a number is needed, such as"
+    message += " 0.12 or 1.5e5"
     assert refusal(read_stress, path) == message
 
 
 def test_a_wavelength_is_over_the_width(write):
     text = "aspect,thickness,strain,wavelength_over_width\n2,1e-3,0.1,17\n"
-    message = ", line 2, column wavelength_over_width: '17' must be > 0 and <= 1 (lambda/W)"
+    message = ", line 2, column wavelength_over_width: 17 must be > 0 and <= 1 (lambda/W)"
     assert refusal(read_sheets, write("wavelength.csv", text)) == message
 
 

@@ -149,6 +149,16 @@ class Law(ABC):
         del constants  # most laws allow whatever is within the bounds
 
     @classmethod
+    def polyconvex(cls, constants: Mapping[str, float]) -> bool | None:
+        """Return whether the energy is polyconvex with these constants; None if not known.
+
+        Polyconvex energies are elliptic and have minimisers: J. M. Ball, Arch. Rational Mech. Anal.
+        63, 337 (1977).
+        """
+        del constants
+        return None
+
+    @classmethod
     def canonical_order(cls, constants: Mapping[str, float]) -> tuple[str, ...]:
         """Return from which constant each takes its value in the form that fits report.
 

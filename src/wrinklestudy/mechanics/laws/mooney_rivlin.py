@@ -38,6 +38,11 @@ class MooneyRivlin(IncompressibleLaw):
         """Return 2 (C10 + C01)."""
         return 2.0 * (constants["c10"] + constants["c01"])
 
+    @classmethod
+    def polyconvex(cls, constants: Mapping[str, float]) -> bool:  # noqa: ARG003
+        """Return True: the bounds C10, C01 >= 0 make it so (Ball 1977)."""
+        return True
+
     def density(self, trace: Array, det: Array) -> Array:
         """Return W(T, D)."""
         return self.c10 * (trace + 1.0 / det - 3.0) + self.c01 * (det + trace / det - 3.0)

@@ -109,6 +109,11 @@ class Ogden(IncompressibleLaw):
                 )
 
     @classmethod
+    def polyconvex(cls, constants: Mapping[str, float]) -> bool | None:
+        """Return True for exponents of magnitude >= 1 (Ball 1977), mu_p alpha_p >= 0 as allowed."""
+        return True if min(abs(constants[f"alpha{p}"]) for p in (1, 2)) >= 1.0 else None
+
+    @classmethod
     def canonical_order(cls, constants: Mapping[str, float]) -> tuple[str, ...]:
         """Return the order in which the term with the larger exponent comes first."""
         if constants["alpha1"] >= constants["alpha2"]:

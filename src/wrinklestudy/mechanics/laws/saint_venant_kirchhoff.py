@@ -47,6 +47,11 @@ class SaintVenantKirchhoff(Law):
         """Return Young's modulus in Pa and Poisson's ratio."""
         return {"young": 2.0 * (1.0 + self.poisson) * modulus, "poisson": self.poisson}
 
+    @classmethod
+    def polyconvex(cls, constants: Mapping[str, float]) -> bool:  # noqa: ARG003
+        """Return False: A. Raoult, Aplikace matematiky 31, 417 (1986)."""
+        return False
+
     def _stiffness(self) -> Array:
         nu = self.poisson
         # E = (g - 1) / 2 brings a factor 1/4; g12 stands for two entries.

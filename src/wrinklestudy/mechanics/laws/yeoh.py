@@ -42,6 +42,11 @@ class Yeoh(IncompressibleLaw):
         """Return 2 C10."""
         return 2.0 * constants["c10"]
 
+    @classmethod
+    def polyconvex(cls, constants: Mapping[str, float]) -> bool | None:
+        """Return True for C20, C30 >= 0: then convex and rising in the deformation gradient."""
+        return True if min(constants["c20"], constants["c30"]) >= 0.0 else None
+
     def density(self, trace: Array, det: Array) -> Array:
         """Return W(T, D)."""
         x = trace + 1.0 / det - 3.0

@@ -5,7 +5,9 @@ from typing import Annotated, Any
 
 from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
 
+from wrinklestudy.material.branches import BRANCHES
 from wrinklestudy.material.homogeneous import MODES as DEFORMATIONS
+from wrinklestudy.material.preload import TREATMENTS
 from wrinklestudy.mechanics.bending import BENDING_LAWS
 from wrinklestudy.mechanics.laws import LAWS
 from wrinklestudy.results import cases
@@ -52,6 +54,16 @@ class MaterialBlock(Block):
     )
     modes: Filled[DeformationMode] | None = Field(
         default=None, description="deformation modes to fit; all of the data if left out"
+    )
+    branch: Annotated[str, OneOf(BRANCHES)] = Field(
+        default="loading", description="branch of cyclic data to fit"
+    )
+    cycle: Annotated[int, within(Limits(1, 1000)), Count] = Field(
+        default=1, description="cycle of cyclic data to fit, from 1"
+    )
+    preload: Annotated[str, OneOf(TREATMENTS)] = Field(
+        default="keep",
+        description="a stress at stretch 1: kept, or removed from all stresses",
     )
 
 

@@ -14,8 +14,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from wrinklestudy.material.choice import Choice, choose
 from wrinklestudy.material.data import Measurement, read
 from wrinklestudy.material.homogeneous import MODES, nominal_stress
+from wrinklestudy.material.preload import REMOVE, shifted
 from wrinklestudy.material.result import Fit
 from wrinklestudy.mechanics.laws import law_of
 from wrinklestudy.studies.panaitescu2019 import theory
@@ -38,31 +40,41 @@ def draw(inputs: Inputs) -> Figure:
     """Draw T/Y of the paper's material and T of the others against strain."""
     fits = inputs.fits()
     files = {path.name: path for path in inputs.data}
-    sources = sorted({fit.source for fit in fits}, key=lambda name: (name != PAPER_SOURCE, name))
-    if not sources:
+    curves = sorted({_curve(fit) for fit in fits}, key=lambda one: (one[0] != PAPER_SOURCE, one))
+    if not curves:
         raise ValueError("materials: none given, this figure shows material fits")
-    figure = style.new(style.WIDE if len(sources) > 1 else style.COLUMN, 5.2)
-    panels = figure.subplots(1, len(sources), squeeze=False)[0]
+    figure = style.new(style.WIDE if len(curves) > 1 else style.COLUMN, 5.2)
+    panels = figure.subplots(1, len(curves), squeeze=False)[0]
     legends = []
-    for k, (axes, source) in enumerate(zip(panels, sources, strict=True)):
-        own = [fit for fit in fits if fit.source == source]
-        data = _data(files, source)
-        if source == PAPER_SOURCE:
+    for k, (axes, curve) in enumerate(zip(panels, curves, strict=True)):
+        own = [fit for fit in fits if _curve(fit) == curve]
+        data = _data(files, own[0])
+        if curve[0] == PAPER_SOURCE:
             _paper_panel(axes, own, data)
         else:
             _panel_in_mpa(axes, own, data)
         if k == 0:
-            _measured_by_user(axes, inputs.measured_stress(), source == PAPER_SOURCE)
+            _measured_by_user(axes, inputs.measured_stress(), curve[0] == PAPER_SOURCE)
         legends.append(style.legend_above(axes, whole_width=False))
-        if len(sources) > 1:
+        if len(curves) > 1:
             letter = "abcdefgh"[k]
             axes.text(0.03, 0.97, f"({letter})", transform=axes.transAxes, va="top")
     style.grow(figure, max(legends))
     return figure
 
 
-def _data(files: dict[str, Path], source: str) -> Measurement | None:
-    return read(files[source]) if source in files else None
+def _curve(fit: Fit) -> tuple[str, str, int, str]:
+    """Return what tells the measured curves of fits apart: file, branch, cycle, preload."""
+    return fit.source, fit.branch, fit.cycle, fit.preload
+
+
+def _data(files: dict[str, Path], fit: Fit) -> Measurement | None:
+    """Return the points of the branch that a fit is to, without the preload that it is without."""
+    if fit.source not in files:
+        return None
+    data = read(files[fit.source])
+    points = choose(data, Choice(branch=fit.branch, cycle=fit.cycle)).points
+    return shifted(points, fit.offsets) if fit.preload == REMOVE else points
 
 
 def _measured_by_user(axes: Axes, points: Points | None, over_young: bool) -> None:
