@@ -1,4 +1,4 @@
-"""Command line: one sheet, its stability, or one fit. Results go to stdout, progress to stderr."""
+"""Command line: a sheet, its stability, a fit, scans. Results go to stdout, progress to stderr."""
 
 import os
 import sys
@@ -14,8 +14,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     for name in ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
         os.environ.setdefault(name, "1")
     arguments = parse(sys.argv[1:] if argv is None else argv)
+    command = COMMANDS[arguments.command]
     try:
-        result = COMMANDS[arguments.command].run(arguments)
+        result = command.run(arguments)
     except (ValueError, ArithmeticError, OSError) as error:
         print(f"wrinklestudy {arguments.command}: {error}", file=sys.stderr)
         return 2
@@ -23,6 +24,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         from wrinklestudy.files.storage import format_json
 
         print(format_json(result), end="")
+    elif command.text is not None:
+        print(command.text(result))
     else:
         print_text(result)
     return 0

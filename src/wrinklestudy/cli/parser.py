@@ -4,15 +4,16 @@ import argparse
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
-from wrinklestudy.cli import fit, solve, stability
+from wrinklestudy.cli import fit, measure, solve, stability
 
 
 class Command(NamedTuple):
-    """A command: its options, and the function that runs it."""
+    """A command: its options, the function that runs it, and its result as text."""
 
     help: str
     add_options: Callable[[argparse.ArgumentParser], None]
     run: Callable[[argparse.Namespace], Any]
+    text: Callable[[Any], str] | None = None
 
 
 COMMANDS = {
@@ -21,6 +22,12 @@ COMMANDS = {
         "birth and decay strain of one sheet", stability.add_options, stability.run
     ),
     "fit": Command("constants of a law from measured stress and strain", fit.add_options, fit.run),
+    "measure": Command(
+        "amplitude and wavelength of scanned profiles",
+        measure.add_options,
+        measure.run,
+        measure.text,
+    ),
 }
 
 

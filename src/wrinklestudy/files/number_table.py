@@ -6,7 +6,7 @@ One reader for stress-strain curves, tables of amplitudes and wavelengths, and s
 import math
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -17,7 +17,7 @@ from wrinklestudy.typing import AnyPath, Array, Indices
 
 # Plain decimal numbers: no underscores, no words such as inf
 _NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
-_NUMBER_WITH_UNIT = re.compile(rf"({_NUMBER.pattern})\s*([^\d\s].*)")
+_NUMBER_WITH_UNIT = re.compile(rf"({_NUMBER.pattern})\s*([^\d\s_.,+-].*)")
 _MISSING = ("", "nan", "na", "n/a", "null", "none", "-", "--")
 # What testing machines and scanners write beside what is measured
 IGNORED = re.compile(r"(time|point|index|cycle_time|temperature|brightness|intensity)(_.*)?")
@@ -111,12 +111,20 @@ class NumberNote:
         Units that may follow the number, with their factors; without a unit the number is taken
         as it is.
     needed : bool
+    unit_of : str
+        Column of numbers whose unit in the file (mm of ``y_mm``) may follow the number.
     """
 
     name: str
     bounds: Bounds = Bounds()
     units: Mapping[str, float] = field(default_factory=dict)
     needed: bool = False
+    unit_of: str = ""
+
+    def with_unit_of(self, spelled: Mapping[str, str]) -> "NumberNote":
+        """Return the note with the unit that its column has in the file."""
+        unit = spelled.get(self.unit_of, "").partition("_")[2]
+        return replace(self, units={unit: 1.0}) if unit else self
 
 
 @dataclass(frozen=True, eq=False)
@@ -185,7 +193,7 @@ def read_number_table(
         numbers=numbers,
         words={column.name: _words(table, column) for column in words},
         spelled=spelled,
-        notes=_notes(table, notes),
+        notes=_notes(table, [note.with_unit_of(spelled) for note in notes]),
         lines=np.array([row.line for row in table.rows], dtype=np.int64),
         note="\n".join(text for _, text in table.notes).strip(),
     )
@@ -301,7 +309,8 @@ def _note_number(note: NumberNote, text: str, where: str) -> float:
     if not _NUMBER.fullmatch(number):
         units = f"; units may be {', '.join(note.units)}" if note.units else ""
         trouble = _unit_trouble(text) or "a number is needed"
-        raise ValueError(f"{where}: {text!r} is not a number; {trouble}{units}")
+        column = f", in the unit of column {note.unit_of}" if note.unit_of else ""
+        raise ValueError(f"{where}: {text!r} is not a number; {trouble}{column}{units}")
     value = float(number) * factor
     if not (math.isfinite(value) and note.bounds.hold(value)):
         raise ValueError(f"{where}: {text} must be {note.bounds.text}")

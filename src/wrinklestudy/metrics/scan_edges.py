@@ -55,7 +55,7 @@ class Edges:
         """Return the wave that may go through the whole profile, as it is seen at the edges."""
         height = self.height if self.height <= _AT_EDGE * amplitude else self.level
         seen = height > _FADED * amplitude + self.noise
-        return SecondWave(wavelength, height) if seen else SecondWave()
+        return SecondWave(wavelength, height, alike=True) if seen else SecondWave()
 
     def note(self, amplitude: float) -> str:
         """Return what to say of a wave that goes on to an edge; empty if it does not."""

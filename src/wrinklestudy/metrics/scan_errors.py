@@ -27,6 +27,8 @@ class Drawn:
         Its amplitude, the mean of the peaks that noise could have made largest.
     amplitude, wavelength, phi_squared, phi_squared_central : (draws,) array
         Of the profile with noise.
+    spread : float
+        Standard deviation of the drawings where the profile is highest.
     reached : float
         Height that noise alone reaches in 95% of the drawings.
     """
@@ -37,6 +39,7 @@ class Drawn:
     wavelength: Array
     phi_squared: Array
     phi_squared_central: Array
+    spread: float
     reached: float
 
     @classmethod
@@ -55,6 +58,7 @@ class Drawn:
             np.array([one.wavelength for one in measured]),
             np.array([one.phi_squared for one in measured]),
             np.array([one.phi_squared_central for one in measured]),
+            spread,
             reached_by(noise),
         )
 
@@ -92,10 +96,13 @@ class Drawn:
             Waves that may lie under the wrinkles.
         """
         value, wavelength = self.value, self.value.wavelength
+        # The mean of several peaks spreads less, but which are taken depends on the noise
+        lacking = max(self.spread**2 - float(self.amplitude.var(ddof=1)), 0.0) ** 0.5
         return (
             _error(
                 self.amplitude,
                 self.height,
+                lacking,
                 coarser.amplitude - value.amplitude,
                 *(one.height for one in ripples),
             ),
@@ -109,7 +116,7 @@ class Drawn:
                 self.phi_squared,
                 value.phi_squared,
                 coarser.phi_squared - value.phi_squared,
-                *(one.phi_squared for one in ripples),
+                *(one.lengthens(value.phi_squared) for one in ripples),
             ),
         )
 

@@ -89,20 +89,28 @@ class SecondWave:
         NaN if there is none.
     height : float
         Its amplitude; 0 if there is none.
+    alike : bool
+        Whether it has the wavelength of the wrinkles, so that the two interfere.
     """
 
     wavelength: float = float("nan")
     height: float = 0.0
+    alike: bool = False
 
     @property
     def slope(self) -> float:
         """Its largest slope."""
         return 2.0 * np.pi * self.height / self.wavelength if self.height else 0.0
 
-    @property
-    def phi_squared(self) -> float:
-        """What it adds to Phi^2: a quarter of the square of the slope."""
-        return 0.25 * self.slope**2
+    def lengthens(self, phi_squared: float) -> float:
+        """Return what it may add to the Phi^2 of a profile.
+
+        Its own is a quarter of the square of the slope. If it has the wavelength of the wrinkles,
+        <z_1' z_2'> comes on top: at most 2 Phi_1 Phi_2, and a good part of that where the one fades
+        and the other does not.
+        """
+        own = 0.25 * self.slope**2
+        return own + (float(np.sqrt(own * max(phi_squared, 0.0))) if self.alike else 0.0)
 
     def moves(self, amplitude: float, wavelength: float) -> float:
         """Return how far it moves two peaks of a wave from each other: sqrt(2) z_2'/z''."""
@@ -133,7 +141,8 @@ def waves(y: Array, z: Array) -> Waves:
 
     Waves longer than half the width count as tilt and bow, not as wrinkles. The share P of the
     variance that a wave takes of white noise follows a beta distribution, so that one of M
-    independent waves reaches P with the probability M (1 - P)^((n - 3)/2).
+    independent waves reaches P with the probability M (1 - P)^((n - 3)/2); M = n, because
+    the peak is sought between the independent wave numbers, too.
 
     Parameters
     ----------
@@ -157,7 +166,7 @@ def waves(y: Array, z: Array) -> Waves:
     top = int(peaks[np.argmax(power[peaks])])
     share = float(power[top] * taper.sum() / (taper @ even**2))
     effective = float(taper.sum() ** 2 / (taper @ taper))
-    alarm = 0.5 * count * max(1.0 - share, 0.0) ** (0.5 * (effective - 3.0))
+    alarm = count * max(1.0 - share, 0.0) ** (0.5 * (effective - 3.0))
     peak = _second_peak(number, np.sqrt(2.0 * power), top)
     if peak is None:
         return Waves(width / float(number[top]), alarm)

@@ -1,5 +1,6 @@
 """Smooth profiles through the points of a scan: a least-squares spline about a robust line."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,21 +31,24 @@ def robust_weights(y: Array, z: Array) -> Array:
     """
     from scipy.optimize import least_squares
 
-    design = np.column_stack([np.ones_like(y), y])
-    line = np.linalg.lstsq(design, z, rcond=None)[0]
+    # The search stops at absolute tolerances: heights and places without a unit
+    height = float(np.ptp(z))
+    if height <= 0.0:
+        return np.ones_like(z)
+    design = np.column_stack([np.ones_like(y), (y - y[0]) / np.ptp(y)])
+    heights = (z - z[0]) / height
+    line = np.linalg.lstsq(design, heights, rcond=None)[0]
     scale = 0.0
     for _ in range(2):
-        scale = max(1.4826 * float(np.median(np.abs(design @ line - z))), 1e-12 * float(np.ptp(z)))
-        if scale > 0.0:
-            line = least_squares(
-                lambda p: design @ p - z,
-                line,
-                jac=lambda _: design,
-                loss="cauchy",
-                f_scale=scale,
-                x_scale=(1.0, 1.0 / float(np.ptp(y))),
-            ).x
-    return 1.0 / (1.0 + ((design @ line - z) / (scale or 1.0)) ** 2)
+        scale = max(1.4826 * float(np.median(np.abs(design @ line - heights))), 1e-12)
+        line = least_squares(
+            lambda p: design @ p - heights,
+            line,
+            jac=lambda _: design,
+            loss="cauchy",
+            f_scale=scale,
+        ).x
+    return np.asarray(1.0 / (1.0 + ((design @ line - heights) / scale) ** 2), dtype=np.float64)
 
 
 def weighted_line(y: Array, weights: Array) -> Array:
@@ -88,7 +92,8 @@ class Smoother:
         """
         from scipy.interpolate import BSpline
 
-        count = max(round(float(y[-1] - y[0]) / spacing), _DEGREE)
+        # Rounding must not decide where the two differ by a half, as in another unit
+        count = max(math.ceil(float(y[-1] - y[0]) / spacing - 1e-6), _DEGREE)
         inner = np.linspace(y[0], y[-1], count + 1)
         knots = np.concatenate([[inner[0]] * _DEGREE, inner, [inner[-1]] * _DEGREE])
         samples = np.linspace(y[0], y[-1], count * _SAMPLES_PER_KNOT + 1)

@@ -127,9 +127,10 @@ class Inputs:
 
     @cached_property
     def scans(self) -> list[Scan]:
-        """The scanned profiles by sheet and strain."""
-        found = [measurements.read_scan(path) for path in self._measured("profiles")]
-        return sorted(found, key=lambda one: (one.sheet, one.strain))
+        """The scanned profiles by sheet and strain, without those that cannot tell."""
+        scans = [measurements.read_scan(path) for path in self._measured("profiles")]
+        known = [scan for scan in scans if scan is not None]
+        return sorted(known, key=lambda scan: (scan.sheet, scan.strain))
 
     def scans_of(self, sheets: Sequence[SheetSize]) -> list[Scan]:
         """Return the scanned profiles of some sheets (L/W, t/W)."""
@@ -148,7 +149,7 @@ class Inputs:
         found = self._measured_table("wavelength")
         for one in self.scans:
             if one.wrinkled:
-                _add(found, one, one.measures.wavelength, float("nan"))
+                _add(found, one, one.measures.wavelength, one.wavelength_error)
         return found
 
     def _measured(self, kind: str) -> list[Path]:
