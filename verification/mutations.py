@@ -160,6 +160,20 @@ MUTATIONS = (
         "bending = arm * lever * mean2",
     ),
     Mutation(
+        "scans",
+        "noise drawn without the long waves that the spline has taken out",
+        "metrics/smoothing.py",
+        "power[:first] = np.median(",
+        "power[:first] = 0.0 * np.median(",
+    ),
+    Mutation(
+        "scans",
+        "spikes taken for measurements",
+        "metrics/scan_points.py",
+        "SPIKE = 5.0",
+        "SPIKE = 5000.0",
+    ),
+    Mutation(
         "regression",
         "a random start of the eigenvalue search",
         "equilibrium/modes.py",

@@ -1,6 +1,7 @@
 """Words and limits that the whole library shares."""
 
 from dataclasses import dataclass
+from math import inf, isfinite
 from typing import Literal, get_args
 
 Parity = Literal["antisymmetric", "symmetric"]
@@ -29,22 +30,29 @@ class Limits:
     (False, '>= 0.5 and <= 20 (L/W)')
     """
 
-    lowest: float
-    highest: float
+    lowest: float = -inf
+    highest: float = inf
     above_lowest: bool = False
     unit: str = ""
 
     def __contains__(self, value: float) -> bool:
-        """Return whether a number lies within the limits; NaN never does."""
+        """Whether a number lies between the limits; NaN and infinities do not."""
         above = value > self.lowest if self.above_lowest else value >= self.lowest
-        return above and value <= self.highest
+        return above and value <= self.highest and isfinite(value)
 
     def __str__(self) -> str:
-        """Return the limits as a message words them."""
-        sign = ">" if self.above_lowest else ">="
+        """Return the limits in the words of a message."""
+        ends = []
+        if self.lowest > -inf:
+            ends.append(f"{'>' if self.above_lowest else '>='} {_plain(self.lowest)}")
+        if self.highest < inf:
+            ends.append(f"<= {_plain(self.highest)}")
         unit = f" ({self.unit})" if self.unit else ""
-        lowest = f"{self.lowest:g}".replace("e-0", "e-")
-        return f"{sign} {lowest} and <= {self.highest:g}{unit}"
+        return f"{' and '.join(ends) or 'a finite number'}{unit}"
+
+
+def _plain(number: float) -> str:
+    return f"{number:g}".replace("e-0", "e-")
 
 
 ASPECT = Limits(0.5, 20.0, unit="L/W")

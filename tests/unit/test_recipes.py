@@ -20,6 +20,7 @@ from wrinklestudy.results.materials import load_fit
 from wrinklestudy.stages import material as material_stage
 from wrinklestudy.study.config.blocks import MaterialBlock, PlateBlock
 from wrinklestudy.study.figures import style
+from wrinklestudy.study.scan_file import read_scan_file
 
 ROOT = Path(__file__).parents[2]
 TRELOAR = ROOT / "data" / "treloar1944.csv"
@@ -139,6 +140,27 @@ def test_the_bending_law_of_the_recipe_is_objective_and_exact():
     assert plate.energy(section, turned) == pytest.approx(plate.energy(section, values), rel=1e-13)
 
 
-@pytest.mark.parametrize("recipe", ["law", "bending_law"])
+@pytest.mark.parametrize("recipe", ["law", "bending_law", "own_scan"])
 def test_the_block_of_a_recipe_stands_alone(recipe):
     subprocess.run([sys.executable, "-c", block(recipe)], check=True)
+
+
+def test_the_scan_of_the_recipe_is_measured_within_its_errors(capsys):
+    names = {"__name__": "recipe"}
+    exec(compile(block("own_scan"), "own_scan.md", "exec"), names)
+    scan = names["scan"]
+    # the middle peak of a symmetric packet has the height of the packet
+    assert abs(scan.measures.amplitude - names["true_height"]) < 3.0 * scan.amplitude_error
+    # an envelope that falls moves the side peaks inwards, by a few percent
+    assert scan.measures.wavelength == pytest.approx(names["true_wavelength"], rel=0.05)
+    assert scan.left_out == 5
+    assert "5 points left out" in capsys.readouterr().out
+
+
+def test_the_table_of_the_recipe_is_read(tmp_path):
+    text = (ROOT / "docs" / "recipes" / "own_scan.md").read_text(encoding="utf-8")
+    (table,) = re.findall(r"```csv scan.csv\n(.*?)```", text, re.DOTALL)
+    path = tmp_path / "scan.csv"
+    path.write_text(table, encoding="utf-8")
+    file = read_scan_file(path)
+    assert (file.unit, len(file.y), np.isnan(file.z).sum()) == ("mm", 3, 1)

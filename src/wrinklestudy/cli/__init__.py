@@ -1,4 +1,4 @@
-"""Command line: one sheet, its stability, or one fit. Results go to stdout, progress to stderr."""
+"""Command line: a sheet, its stability, a fit, scans. Results go to stdout, progress to stderr."""
 
 import gc
 import os

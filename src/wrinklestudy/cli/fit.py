@@ -4,10 +4,10 @@ import argparse
 import sys
 from typing import TYPE_CHECKING
 
+from wrinklestudy.cli.material_options import DEFAULT_LAW
 from wrinklestudy.cli.numbers import number, whole_number
 from wrinklestudy.cli.output import Answer
 from wrinklestudy.cli.outputs import add_overwrite, planned, write
-from wrinklestudy.cli.sheet_options import DEFAULT_LAW
 
 if TYPE_CHECKING:
     from wrinklestudy.material.choice import Choice

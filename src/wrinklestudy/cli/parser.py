@@ -4,7 +4,7 @@ import argparse
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple, NoReturn
 
-from wrinklestudy.cli import fit, solve, stability
+from wrinklestudy.cli import fit, measure, solve, stability
 from wrinklestudy.cli.numbers import is_negative
 
 
@@ -22,6 +22,11 @@ COMMANDS = {
         "birth and decay strain of one sheet", stability.add_options, stability.run
     ),
     "fit": Command("constants of a law from measured stress and strain", fit.add_options, fit.run),
+    "measure": Command(
+        "amplitude and wavelength of scanned profiles",
+        measure.add_options,
+        measure.run,
+    ),
 }
 
 

@@ -6,7 +6,7 @@ One reader for stress-strain curves, tables of amplitudes and wavelengths, and s
 import math
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -14,43 +14,15 @@ import numpy as np
 
 from wrinklestudy.files.text_table import TableRow, TextTable, read_text_table
 from wrinklestudy.typing import AnyPath, Array, Indices
+from wrinklestudy.vocabulary import Limits
 
 # Plain decimal numbers: no underscores, no words such as inf
 _NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
-_NUMBER_WITH_UNIT = re.compile(rf"({_NUMBER.pattern})\s*([^\d\s].*)")
+_NUMBER_WITH_UNIT = re.compile(rf"({_NUMBER.pattern})\s*([^\d\s_.,+-].*)")
 _DECIMAL_COMMA = re.compile(r"[-+]?\d+,(\d{1,2}|\d{4,})(?!\d)")
 _MISSING = ("", "nan", "na", "n/a", "null", "none", "-", "--")
 # What testing machines and scanners write beside what is measured
 IGNORED = re.compile(r"(time|point|index|cycle_time|temperature|brightness|intensity)(_.*)?")
-
-
-@dataclass(frozen=True)
-class Bounds:
-    """An interval of allowed numbers.
-
-    Parameters
-    ----------
-    low, high : float
-        Its ends.
-    open_low : bool
-        Whether the lower end itself is not allowed.
-    """
-
-    low: float = -math.inf
-    high: float = math.inf
-    open_low: bool = False
-
-    def hold(self, value: float) -> bool:
-        """Return whether a number is allowed."""
-        above = value > self.low if self.open_low else value >= self.low
-        return above and value <= self.high
-
-    @property
-    def text(self) -> str:
-        """The interval in words."""
-        lower = f"{'>' if self.open_low else '>='} {self.low:g}" if self.low > -math.inf else ""
-        upper = f"<= {self.high:g}" if self.high < math.inf else ""
-        return " and ".join(filter(None, (lower, upper))) or "a finite number"
 
 
 @dataclass(frozen=True)
@@ -63,10 +35,10 @@ class NumberColumn:
         What it is called in the program.
     spellings : mapping
         Names that the file may use, each with the factor to the unit of the program.
-    bounds : Bounds
+    limits : Limits
         Of the number in the unit of the program.
     hint : str
-        What a number outside the bounds probably is, for the message.
+        What a number outside the limits probably is, for the message.
     needed : bool
         Whether a table without it is refused.
     gaps : bool
@@ -75,7 +47,7 @@ class NumberColumn:
 
     name: str
     spellings: Mapping[str, float]
-    bounds: Bounds = Bounds()
+    limits: Limits = Limits()
     hint: str = ""
     needed: bool = True
     gaps: bool = False
@@ -107,17 +79,25 @@ class NumberNote:
     Parameters
     ----------
     name : str
-    bounds : Bounds
+    limits : Limits
     units : mapping
         Units that may follow the number, with their factors; without a unit the number is taken
         as it is.
     needed : bool
+    unit_of : str
+        Column of numbers whose unit in the file (mm of ``y_mm``) may follow the number.
     """
 
     name: str
-    bounds: Bounds = Bounds()
+    limits: Limits = Limits()
     units: Mapping[str, float] = field(default_factory=dict)
     needed: bool = False
+    unit_of: str = ""
+
+    def with_unit_of(self, spelled: Mapping[str, str]) -> "NumberNote":
+        """Return the note with the unit that its column has in the file."""
+        unit = spelled.get(self.unit_of, "").partition("_")[2]
+        return replace(self, units={unit: 1.0}) if unit else self
 
 
 @dataclass(frozen=True, eq=False)
@@ -191,7 +171,7 @@ def read_number_table(
         numbers=numbers,
         words={column.name: _words(table, column) for column in words},
         spelled=spelled,
-        notes=_notes(table, notes),
+        notes=_notes(table, [note.with_unit_of(spelled) for note in notes]),
         lines=np.array([row.line for row in table.rows], dtype=np.int64),
         note="\n".join(text for _, text in table.notes).strip(),
     )
@@ -259,11 +239,11 @@ def _number(table: TextTable, row: TableRow, column: NumberColumn, name: str, ce
         raise ValueError(f"{where}: {cell!r} is not a number; {_unit_trouble(cell) or allowed}")
     value = float(cell)
     factor = column.spellings[name]
-    if not (math.isfinite(value) and column.bounds.hold(value * factor)):
-        bounds = column.bounds
-        scaled = Bounds(bounds.low / factor, bounds.high / factor, bounds.open_low)
+    if value * factor not in column.limits:
+        low, high = column.limits.lowest / factor, column.limits.highest / factor
+        scaled = replace(column.limits, lowest=low, highest=high)
         hint = f" ({column.hint})" if column.hint else ""
-        raise ValueError(f"{where}: {cell} must be {scaled.text}{hint}")
+        raise ValueError(f"{where}: {cell} must be {scaled}{hint}")
     return value
 
 
@@ -313,8 +293,7 @@ def _notes(table: TextTable, notes: Sequence[NumberNote]) -> dict[str, float]:
     for note in notes:
         if note.needed and note.name not in written:
             raise ValueError(
-                f"{table.path}: a line '# {note.name}: number' is missing; "
-                f"must be {note.bounds.text}"
+                f"{table.path}: a line '# {note.name}: number' is missing; must be {note.limits}"
             )
     return {
         name: _note_number(known[name], one.text, f"{table.path}, line {one.line}, {name}")
@@ -331,8 +310,9 @@ def _note_number(note: NumberNote, text: str, where: str) -> float:
     if not _NUMBER.fullmatch(number):
         units = f"; units may be {', '.join(note.units)}" if note.units else ""
         trouble = _unit_trouble(plain) or "a number is needed, such as 0.12"
-        raise ValueError(f"{where}: {text!r} is not a number; {trouble}{units}")
+        column = f", in the unit of column {note.unit_of}" if note.unit_of else ""
+        raise ValueError(f"{where}: {text!r} is not a number; {trouble}{column}{units}")
     value = float(number) * factor
-    if not (math.isfinite(value) and note.bounds.hold(value)):
-        raise ValueError(f"{where}: {text} must be {note.bounds.text}")
+    if value not in note.limits:
+        raise ValueError(f"{where}: {text} must be {note.limits}")
     return value

@@ -21,7 +21,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wrinklestudy.files.number_table import (
-    Bounds,
     NumberColumn,
     NumberNote,
     NumberTable,
@@ -31,10 +30,11 @@ from wrinklestudy.files.number_table import (
 from wrinklestudy.material.branches import BRANCHES, tell_branches
 from wrinklestudy.material.homogeneous import MODES
 from wrinklestudy.typing import AnyPath, Array, Indices, Mask
+from wrinklestudy.vocabulary import Limits
 
 # Larger strains are per cent.
-STRAIN_BOUNDS = Bounds(-1.0, 10.0, open_low=True)
-_POSITIVE = Bounds(0.0, open_low=True)
+STRAIN_LIMITS = Limits(-1.0, 10.0, above_lowest=True)
+_POSITIVE = Limits(0.0, above_lowest=True)
 _LENGTHS = {"mm": 1.0, "cm": 10.0, "m": 1e3, "um": 1e-3, "\N{MICRO SIGN}m": 1e-3}
 _PASCALS = {"pa": 1.0, "kpa": 1e3, "mpa": 1e6}
 
@@ -44,17 +44,17 @@ def stress_spellings(name: str) -> dict[str, float]:
     return {f"{name}_{unit}": factor for unit, factor in _PASCALS.items()}
 
 
-def strain_column(bounds: Bounds = STRAIN_BOUNDS, needed: bool = True) -> NumberColumn:
+def strain_column(limits: Limits = STRAIN_LIMITS, needed: bool = True) -> NumberColumn:
     """Return the column of strain that all tables have."""
     spellings = {"strain": 1.0, "strain_percent": 0.01, "strain_%": 0.01}
     hint = "0.12 is 12 %; per cent belongs in a column strain_percent"
-    return NumberColumn("strain", spellings, bounds, hint, needed)
+    return NumberColumn("strain", spellings, limits, hint, needed)
 
 
 _STRETCH = NumberColumn(
     "stretch",
     {"stretch": 1.0},
-    Bounds(0.0, 1.0 + STRAIN_BOUNDS.high, open_low=True),
+    Limits(0.0, 1.0 + STRAIN_LIMITS.highest, above_lowest=True),
     "1 is undeformed",
     needed=False,
 )
@@ -224,10 +224,10 @@ def _stretch(table: NumberTable) -> Array:
     gauge = _size(table, "gauge length", "extension")
     strain = table.numbers["extension"] / gauge
     for line, value in zip(table.lines, strain, strict=True):
-        if not STRAIN_BOUNDS.hold(float(value)):
+        if float(value) not in STRAIN_LIMITS:
             raise ValueError(
                 f"{table.path}, line {line}, column {table.spelled['extension']}: is a strain of "
-                f"{value:g}, which must be {STRAIN_BOUNDS.text}; is the gauge length {gauge:g} mm?"
+                f"{value:g}, which must be {STRAIN_LIMITS.text}; is the gauge length {gauge:g} mm?"
             )
     return 1.0 + strain
 

@@ -70,8 +70,8 @@ def measure(profile: Profile) -> Measures:
 
     Peaks are the roots of z'(y), so that they do not fall on samples; the excess length is
     integrated as z'^2/(1 + sqrt(1 + z'^2)), so that its digits are not lost in the width. Peaks
-    that stand out by less than 10% of the range of z are ripples of noise and do not count. A scan
-    goes through `cleaned` first.
+    that stand out by less than 10% of the range of z are ripples of noise and do not count. Scans
+    are measured by `metrics.scan.measure_scan`.
 
     Parameters
     ----------

@@ -4,9 +4,8 @@ What the files may hold is described in ``data/experiment/README.md``. All of th
 files: lines that begin with ``#`` are notes, the first other line names the columns, in any order.
 """
 
-import csv
+import logging
 import math
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -14,40 +13,27 @@ from pathlib import Path
 import numpy as np
 
 from wrinklestudy.files.number_table import (
-    Bounds,
     NumberColumn,
     NumberTable,
     read_number_table,
 )
 from wrinklestudy.material.data import strain_column, stress_spellings
-from wrinklestudy.metrics.measure import Measures, measure
-from wrinklestudy.metrics.profile import Profile, cleaned, noise_level
+from wrinklestudy.metrics.measure import Measures
+from wrinklestudy.metrics.profile import Profile
+from wrinklestudy.metrics.scan import measure_scan
 from wrinklestudy.results.cases import canonical
-from wrinklestudy.typing import Array, Mask
+from wrinklestudy.study.scan_file import read_scan_file
+from wrinklestudy.typing import AnyPath, Array, Mask
 from wrinklestudy.vocabulary import ASPECT, STRAIN, THICKNESS, Limits
 
 SheetSize = tuple[float, float]
 
 KINDS = ("stress", "amplitude", "wavelength", "profiles")
 
-_Rule = tuple[str, Callable[[float], bool]]
-_ANY: _Rule = ("a finite number", lambda _: True)
-_ASPECT: _Rule = (str(ASPECT), ASPECT.__contains__)
-_THICKNESS: _Rule = (str(THICKNESS), THICKNESS.__contains__)
 # The sheet at rest may be measured, too.
 _MEASURED_STRAIN = Limits(0.0, STRAIN.highest, unit="0.12 is 12%")
-_STRAIN: _Rule = (str(_MEASURED_STRAIN), _MEASURED_STRAIN.__contains__)
-_ERROR: _Rule = (">= 0", lambda v: v >= 0.0)
 
-_SHEET_COLUMNS = {"aspect": _ASPECT, "thickness": _THICKNESS, "strain": _STRAIN}
-_SCAN_HEADER: dict[str, _Rule] = {
-    **_SHEET_COLUMNS,
-    "width": ("> 0", lambda v: v > 0.0),
-    "error": _ERROR,
-}
-_SCAN_REQUIRED = ("aspect", "thickness", "strain")
-# A stretched sheet is narrower than W, but never by much more than half.
-_NARROWEST, _WIDEST = 0.3, 1.1
+_LOGGER = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,7 +70,7 @@ class Points:
 
 @dataclass(frozen=True, eq=False)
 class Scan:
-    """A scanned profile half-way between the clamps.
+    """A scanned profile half-way between the clamps, lengths in units of W.
 
     Parameters
     ----------
@@ -93,33 +79,29 @@ class Scan:
     strain : float
         eps.
     profile : Profile
-        Without noise, offset and tilt; in units of W, the middle of the sheet at y = 0.
+        Without noise, offset and tilt; the middle of the sheet at y = 0.
     measures : Measures
         Of that profile.
-    error : float
-        Standard error of the amplitude in units of W; NaN where unknown.
+    wrinkled : bool
+        Whether wrinkles stand out of the noise.
+    error, wavelength_error, phi_squared_error : float
+        Standard errors of A, lambda and Phi^2; NaN where there is no number.
     noise : float
-        Standard deviation of the noise of single points, in units of W.
+        Standard deviation of the noise of single points.
+    left_out : int
+        Points that were lost or spikes.
     """
 
     sheet: SheetSize
     strain: float
     profile: Profile
     measures: Measures
+    wrinkled: bool
     error: float
+    wavelength_error: float
+    phi_squared_error: float
     noise: float
-
-    @property
-    def wrinkled(self) -> bool:
-        """Whether the amplitude exceeds its error and the noise, and there is a wavelength."""
-        limit = max(self.noise, 0.0 if math.isnan(self.error) else self.error)
-        return self.measures.amplitude > limit and math.isfinite(self.measures.wavelength)
-
-    @property
-    def relative_error(self) -> float:
-        """Standard error of A, and of Phi at small slope, over the value itself."""
-        amplitude = self.measures.amplitude
-        return self.error / amplitude if amplitude > 0.0 else math.nan
+    left_out: int
 
 
 def kind(path: str | PathLike[str]) -> str:
@@ -139,29 +121,24 @@ def kind(path: str | PathLike[str]) -> str:
     raise ValueError(f"{path}: unknown measured data; allowed are {names} and profiles/*.csv")
 
 
-def _bounds(limits: Limits) -> Bounds:
-    return Bounds(limits.lowest, limits.highest, limits.above_lowest)
-
-
-_ERROR_BOUNDS = Bounds(0.0)
+_ERROR_LIMITS = Limits(0.0)
 _STRESS_TABLE = (
     strain_column(),
     NumberColumn("stress", stress_spellings("stress")),
-    NumberColumn("error", stress_spellings("error"), _ERROR_BOUNDS, needed=False, gaps=True),
+    NumberColumn("error", stress_spellings("error"), _ERROR_LIMITS, needed=False, gaps=True),
 )
 _SHEET_TABLE = (
-    NumberColumn("aspect", {"aspect": 1.0}, _bounds(ASPECT), "L/W"),
-    NumberColumn("thickness", {"thickness": 1.0}, _bounds(THICKNESS), "t/W"),
-    strain_column(_bounds(_MEASURED_STRAIN)),
-    NumberColumn("error", {"error": 1.0}, _ERROR_BOUNDS, needed=False, gaps=True),
+    NumberColumn("aspect", {"aspect": 1.0}, ASPECT),
+    NumberColumn("thickness", {"thickness": 1.0}, THICKNESS),
+    strain_column(_MEASURED_STRAIN),
+    NumberColumn("error", {"error": 1.0}, _ERROR_LIMITS, needed=False, gaps=True),
 )
 _VALUES = {
-    "amplitude": NumberColumn("value", {"amplitude_over_thickness": 1.0}, Bounds(0.0), "A/t"),
+    "amplitude": NumberColumn("value", {"amplitude_over_thickness": 1.0}, Limits(0.0, unit="A/t")),
     "wavelength": NumberColumn(
         "value",
         {"wavelength_over_width": 1.0},
-        Bounds(0.0, 1.0, open_low=True),
-        "lambda/W",
+        Limits(0.0, 1.0, above_lowest=True, unit="lambda/W"),
     ),
 }
 
@@ -215,13 +192,19 @@ def read_sheets(path: str | PathLike[str]) -> dict[SheetSize, Points]:
     }
 
 
-def read_scan(path: str | PathLike[str]) -> Scan:
-    """Read a scanned profile, bring it to units of W and measure it.
+def read_scan(path: AnyPath) -> Scan | None:
+    """Read a scanned profile, bring it to units of W and measure it: `metrics.scan`.
 
-    Columns y and w in one unit of length; header lines ``# aspect: 2``, ``# thickness: 0.001``,
-    ``# strain: 0.12`` and, optional, ``# width: 140`` (W in the unit of y and w, 1 if left out) and
-    ``# error: 0.02`` (standard error of the amplitude in that unit). Noise, offset and tilt are
-    removed (`metrics.profile.cleaned`) before anything is measured.
+    The file is that of `study.scan_file`, with header lines ``# aspect: 2``,
+    ``# thickness: 0.001``, ``# strain: 0.12`` and, optional, ``# width: 140`` (W in the unit of y,
+    1 if left out) and ``# error: 0.02`` (standard error of the amplitude in that unit, such as that
+    of the calibration). The errors are the larger of those that the scan itself tells and those
+    that follow from that line.
+
+    Returns
+    -------
+    Scan or None
+        None where the scan cannot tell; the log says why, and how many points were left out.
 
     Raises
     ------
@@ -229,111 +212,28 @@ def read_scan(path: str | PathLike[str]) -> Scan:
         If the file is not such a scan; one line that names the file and, where there is one, the
         line.
     """
-    path = Path(path)
-    header = _header(path)
-    table = _table(path, {"y": _ANY, "w": _ANY}, None)
-    width = header.get("width", 1.0)
-    y, z = table["y"] / width, table["w"] / width
-    if y[0] > y[-1]:
-        y, z = y[::-1], z[::-1]
-    if not _NARROWEST <= y[-1] - y[0] <= _WIDEST:
-        raise ValueError(
-            f"{path}: y runs over {y[-1] - y[0]:.3g} W, must be {_NARROWEST:g} to {_WIDEST:g} "
-            "(the full width); '# width:' gives W in the unit of y"
-        )
-    try:
-        scanned = Profile(y - 0.5 * (y[0] + y[-1]), z.copy())
-    except ValueError as error:
-        raise ValueError(f"{path}: {error}") from None
-    profile = cleaned(scanned)
+    file = read_scan_file(path, of_sheet=True)
+    width = file.notes.get("width", 1.0)
+    scan = measure_scan(file.y / width, file.z / width)
+    if scan.left_out:
+        _LOGGER.warning("%s: %d points left out (lost or spikes)", path, scan.left_out)
+    if scan.measures is None or scan.profile is None:
+        _LOGGER.warning("%s: not shown: %s", path, scan.reason)
+        return None
+    if scan.note:
+        _LOGGER.warning("%s: %s", path, scan.note)
+    stated, measures = file.notes.get("error", 0.0) / width, scan.measures
+    relative = stated / measures.amplitude if measures.amplitude > 0.0 else 0.0
     return Scan(
-        sheet=(canonical(header["aspect"]), canonical(header["thickness"])),
-        strain=header["strain"],
-        profile=profile,
-        measures=measure(profile),
-        error=header.get("error", math.nan) / width,
-        noise=noise_level(scanned),
+        sheet=(canonical(file.notes["aspect"]), canonical(file.notes["thickness"])),
+        strain=file.notes["strain"],
+        profile=scan.profile,
+        measures=measures,
+        wrinkled=scan.wrinkled,
+        error=max(scan.amplitude_error, stated),
+        wavelength_error=scan.wavelength_error,
+        # Phi^2 grows as the square of the deflection
+        phi_squared_error=max(scan.phi_squared_error, 2.0 * relative * measures.phi_squared),
+        noise=scan.noise,
+        left_out=scan.left_out,
     )
-
-
-def _table(path: Path, columns: dict[str, _Rule], error: str | None) -> dict[str, Array]:
-    """Return the columns of a CSV file; those of a scan (without error) may have others beside."""
-    rules = columns if error is None else columns | {error: _ERROR}
-    rows = [(k, line) for k, line in _lines(path) if not line.startswith("#")]
-    if not rows:
-        raise ValueError(f"{path}: is empty; a line of column names and the data are needed")
-    (first, names), *points = [(k, _cells(line, f"{path}, line {k}")) for k, line in rows]
-    _check_names(f"{path}, line {first}", names, columns, rules if error is not None else None)
-    if not points:
-        raise ValueError(f"{path}: has column names but no data")
-    table: dict[str, list[float]] = {name: [] for name in rules}
-    for k, cells in points:
-        if len(cells) != len(names):
-            raise ValueError(f"{path}, line {k}: {len(cells)} cells for {len(names)} columns")
-        row = dict(zip(names, cells, strict=True))
-        for name, rule in rules.items():
-            cell = row.get(name, "")
-            unknown_error = name == error and not cell
-            where = f"{path}, line {k}, column {name}"
-            table[name].append(math.nan if unknown_error else _number(cell, rule, where))
-    return {name: np.array(values, dtype=np.float64) for name, values in table.items()}
-
-
-def _check_names(
-    where: str, names: list[str], needed: dict[str, _Rule], allowed: dict[str, _Rule] | None
-) -> None:
-    for name in needed:
-        if name not in names:
-            raise ValueError(f"{where}: column {name!r} is missing (has {', '.join(names)})")
-    for name in names:
-        if names.count(name) > 1:
-            raise ValueError(f"{where}: column {name!r} stands twice")
-        if allowed is not None and name not in allowed:
-            raise ValueError(f"{where}: column {name!r}: allowed are {', '.join(allowed)}")
-
-
-def _header(path: Path) -> dict[str, float]:
-    """Return the ``# key: number`` lines of a scan; other notes are left alone."""
-    found: dict[str, float] = {}
-    for k, line in _lines(path):
-        name, colon, text = line.lstrip("# \t").partition(":")
-        name = name.strip()
-        if line.startswith("#") and colon and name in _SCAN_HEADER:
-            if name in found:
-                raise ValueError(f"{path}, line {k}: '# {name}:' is given twice")
-            found[name] = _number(text.strip(), _SCAN_HEADER[name], f"{path}, line {k}, {name}")
-    for name in _SCAN_REQUIRED:
-        if name not in found:
-            allowed = _SCAN_HEADER[name][0]
-            raise ValueError(f"{path}: a line '# {name}: number' is missing; must be {allowed}")
-    return found
-
-
-def _lines(path: Path) -> Sequence[tuple[int, str]]:
-    """Return the lines that are not blank, with their numbers."""
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except OSError as error:
-        raise ValueError(f"{path}: cannot be read ({error.strerror})") from None
-    except UnicodeDecodeError:
-        raise ValueError(f"{path}: is not a UTF-8 text file") from None
-    lines = enumerate((line.strip() for line in text.splitlines()), 1)
-    return [(k, line) for k, line in lines if line.strip(" \t,")]
-
-
-def _cells(line: str, where: str) -> list[str]:
-    try:
-        return [cell.strip() for cell in next(csv.reader([line]))]
-    except csv.Error as error:
-        raise ValueError(f"{where}: is not a line of comma-separated values ({error})") from None
-
-
-def _number(text: str, rule: _Rule, where: str) -> float:
-    allowed, holds = rule
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
-    if not (math.isfinite(value) and holds(value)):
-        raise ValueError(f"{where}: {text!r} must be {allowed}")
-    return value

@@ -5,23 +5,23 @@ import math
 import pytest
 
 from wrinklestudy.files.number_table import (
-    Bounds,
     NumberColumn,
     NumberNote,
     WordColumn,
     read_number_table,
 )
+from wrinklestudy.vocabulary import Limits
 
 STRAIN = NumberColumn(
     "strain",
     {"strain": 1.0, "strain_percent": 0.01},
-    Bounds(-1.0, 10.0, open_low=True),
+    Limits(-1.0, 10.0, above_lowest=True),
     hint="0.12 is 12%",
 )
 STRESS = NumberColumn("stress", {"stress_pa": 1.0, "stress_kpa": 1e3})
-ERROR = NumberColumn("error", {"error_pa": 1.0}, Bounds(0.0), needed=False, gaps=True)
+ERROR = NumberColumn("error", {"error_pa": 1.0}, Limits(0.0), needed=False, gaps=True)
 MODE = WordColumn("mode", ("uniaxial", "shear"), "uniaxial")
-WIDTH = NumberNote("width", Bounds(0.0, open_low=True), {"mm": 1.0, "m": 1e3})
+WIDTH = NumberNote("width", Limits(0.0, above_lowest=True), {"mm": 1.0, "m": 1e3})
 
 
 def read(tmp_path, text, **options):

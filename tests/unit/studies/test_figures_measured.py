@@ -165,7 +165,8 @@ def test_scanned_profiles_stand_beside_the_computed_on_one_scale(both):
     scanned, computed = figure.axes
     assert [axes.get_title(loc="left") for axes in figure.axes] == ["(a) measured", "(b) computed"]
     heights = [line.get_ydata().mean() for line in scanned.lines]
-    assert heights == pytest.approx([0.1, 0.2], abs=1e-6)
+    # each about its strain: an odd wave on a line that noise of a hundredth has moved a little
+    assert heights == pytest.approx([0.1, 0.2], abs=2e-4)
     assert scanned.get_ylim() == computed.get_ylim()
     ends = [line.get_xdata()[[0, -1]] for line in scanned.lines]
     halves = [0.5 * (1.0 + strain) ** -0.5 for strain in (0.1, 0.2)]

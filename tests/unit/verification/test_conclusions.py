@@ -15,6 +15,7 @@ from verification.groups import (
     element,
     independent,
     paths,
+    scans,
     whole_sheet,
 )
 from verification.groups.bending_laws import LINEAR, NEO, OTHERS, PAPER
@@ -238,3 +239,22 @@ def mesh_row(along, seconds, error):
 def test_the_choice_of_the_default_mesh(errors, says):
     text = choice([mesh_row(16, 5.0, errors[0]), mesh_row(24, 10.0, errors[1])])
     assert all(part in text for part in says)
+
+
+@pytest.mark.parametrize(
+    ("covered", "says"),
+    [
+        ((0.95, 0.93, 0.99), "Phi^2 in 99.0% of the trials, as they must in at least 90%"),
+        ((0.95, 0.89, 0.99), "of the trials, which for one of them is less than the 90%"),
+        ((0.95, 0.95, NAN), "is less than the 90%"),
+    ],
+)
+def test_how_often_the_errors_of_a_scan_cover_the_truth(covered, says):
+    assert says in scans.verdict(covered, 0.01)
+
+
+def test_a_scan_that_was_refused_covers_nothing():
+    known = scans.Trial("white noise", 10, 400, "", (0.01, -0.03, 0.0), (0.01, 0.01, 0.01))
+    refused = scans.Trial("white noise", 10, 400, "no", (NAN,) * 3, (NAN,) * 3)
+    assert scans.coverage([known, refused]) == [0.5, 0.0, 0.5]
+    assert scans.refused([known, refused]) == 0.5

@@ -127,9 +127,10 @@ class Inputs:
 
     @cached_property
     def scans(self) -> list[Scan]:
-        """The scanned profiles by sheet and strain."""
+        """The scanned profiles by sheet and strain, without those that cannot tell."""
         scans = [measurements.read_scan(path) for path in self._measured("profiles")]
-        return sorted(scans, key=lambda scan: (scan.sheet, scan.strain))
+        known = [scan for scan in scans if scan is not None]
+        return sorted(known, key=lambda scan: (scan.sheet, scan.strain))
 
     def scans_of(self, sheets: Sequence[SheetSize]) -> list[Scan]:
         """Return the scanned profiles of some sheets (L/W, t/W)."""
@@ -148,7 +149,7 @@ class Inputs:
         points_by_sheet = self._measured_table("wavelength")
         for scan in self.scans:
             if scan.wrinkled:
-                _add(points_by_sheet, scan, scan.measures.wavelength, float("nan"))
+                _add(points_by_sheet, scan, scan.measures.wavelength, scan.wavelength_error)
         return points_by_sheet
 
     def _measured(self, kind: str) -> list[Path]:

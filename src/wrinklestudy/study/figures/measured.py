@@ -50,35 +50,44 @@ def band(axes: Axes, points: Points, factor: float = 1.0) -> float:
 
 
 def confinement(scans: Sequence[Scan]) -> Points | None:
-    """Return Phi^2 of the full width against strain of scanned profiles, None if there are none.
-
-    Phi^2 grows as the square of the deflection, so that its relative error is twice that of A.
-    """
+    """Return Phi^2 of the full width against strain of scanned profiles, None if there are none."""
     if not scans:
         return None
-    value = np.array([scan.measures.phi_squared for scan in scans])
-    relative = np.array([scan.relative_error for scan in scans])
-    return Points(np.array([scan.strain for scan in scans]), value, 2.0 * relative * value)
+    return Points(
+        np.array([scan.strain for scan in scans]),
+        np.array([scan.measures.phi_squared for scan in scans]),
+        np.array([scan.phi_squared_error for scan in scans]),
+    )
 
 
 def slaving(axes: Axes, scans: Sequence[Scan]) -> tuple[float, float]:
     """Draw A/t against Phi lambda/t of the wrinkled profiles; return the largest of either.
 
-    Filled for Phi over the full width, open for the central wrinkle, as the computed states.
+    Filled for Phi over the full width, open for the central wrinkle, as the computed states; the
+    relative error of Phi^2 is taken to be the same for both, that of Phi is half of it.
     """
-    shown = [scan for scan in scans if scan.wrinkled]
+    shown = [scan for scan in scans if scan.wrinkled and scan.measures.phi_squared > 0.0]
     if not shown:
         return 0.0, 0.0
     thickness = np.array([scan.sheet[1] for scan in shown])
-    relative = np.array([scan.relative_error for scan in shown])
     amplitude = np.array([scan.measures.amplitude for scan in shown]) / thickness
+    error = np.array([scan.error for scan in shown]) / thickness
     wavelength = np.array([scan.measures.wavelength for scan in shown]) / thickness
+    relative = np.array(
+        [
+            np.hypot(
+                scan.wavelength_error / scan.measures.wavelength,
+                0.5 * scan.phi_squared_error / scan.measures.phi_squared,
+            )
+            for scan in shown
+        ]
+    )
     farthest = 0.0
     for face, label, name in (
         (BLACK, LABEL, "phi_squared"),
         ("white", None, "phi_squared_central"),
     ):
         slaved = wavelength * np.sqrt([getattr(scan.measures, name) for scan in shown])
-        bars(axes, slaved, amplitude, relative * amplitude, relative * slaved, label, face)
+        bars(axes, slaved, amplitude, error, relative * slaved, label, face)
         farthest = float(np.nanmax([farthest, *slaved]))
     return farthest, float(amplitude.max())
