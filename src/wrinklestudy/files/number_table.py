@@ -47,7 +47,7 @@ class NumberColumn:
 
     name: str
     spellings: Mapping[str, float]
-    limits: Limits = Limits()
+    limits: Limits = field(default_factory=Limits)
     hint: str = ""
     needed: bool = True
     gaps: bool = False
@@ -89,7 +89,7 @@ class NumberNote:
     """
 
     name: str
-    limits: Limits = Limits()
+    limits: Limits = field(default_factory=Limits)
     units: Mapping[str, float] = field(default_factory=dict)
     needed: bool = False
     unit_of: str = ""

@@ -227,7 +227,7 @@ def _stretch(table: NumberTable) -> Array:
         if float(value) not in STRAIN_LIMITS:
             raise ValueError(
                 f"{table.path}, line {line}, column {table.spelled['extension']}: is a strain of "
-                f"{value:g}, which must be {STRAIN_LIMITS.text}; is the gauge length {gauge:g} mm?"
+                f"{value:g}, which must be {STRAIN_LIMITS}; is the gauge length {gauge:g} mm?"
             )
     return 1.0 + strain
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from wrinklestudy.material.branches import BRANCHES, Loop
 from wrinklestudy.material.preload import KEEP, Offset
-from wrinklestudy.material.stability import Stability, stability
+from wrinklestudy.material.stability import StretchStability, stability
 from wrinklestudy.mechanics.laws import Material, law_of
 from wrinklestudy.typing import Array
 
@@ -113,7 +113,7 @@ class Fit:
         return 100.0 * self.rms_pa / self.largest_stress_pa
 
     @property
-    def stability(self) -> Stability:
+    def stability(self) -> StretchStability:
         """Where the stress of the law rises with stretch, over the range of the data."""
         return stability(self.material(), self.stretch_range)
 

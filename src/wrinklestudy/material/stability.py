@@ -11,7 +11,7 @@ _POINTS = 400
 
 
 @dataclass(frozen=True)
-class Stability:
+class StretchStability:
     """Where the stress of a law rises with stretch.
 
     Parameters
@@ -41,7 +41,7 @@ class Stability:
         return f"stress does not rise in {where}"
 
 
-def stability(material: Material, stretch_range: tuple[float, float]) -> Stability:
+def stability(material: Material, stretch_range: tuple[float, float]) -> StretchStability:
     """Return where the nominal stress rises with stretch in the three modes of deformation.
 
     dT/dlambda > 0 in simple tension, equibiaxial tension and pure shear: Drucker's condition for
@@ -62,4 +62,4 @@ def stability(material: Material, stretch_range: tuple[float, float]) -> Stabili
         bad = 0.5 * (stretch[1:] + stretch[:-1])[~(rise > 0.0)]
         if bad.size:
             lost[mode] = float(bad[np.argmin(np.abs(np.log(bad)))])
-    return Stability((low, high), lost)
+    return StretchStability((low, high), lost)

@@ -31,7 +31,7 @@ SheetSize = tuple[float, float]
 KINDS = ("stress", "amplitude", "wavelength", "profiles")
 
 # The sheet at rest may be measured, too.
-_MEASURED_STRAIN = Limits(0.0, STRAIN.highest, unit="0.12 is 12%")
+_MEASURED_STRAIN = Limits(0.0, STRAIN.highest)
 
 _LOGGER = logging.getLogger(__name__)
 

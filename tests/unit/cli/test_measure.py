@@ -158,10 +158,12 @@ def test_a_picture_is_drawn_and_not_drawn_over(scan, capsys, tmp_path):
     measured(capsys, *arguments)
     before = picture.read_bytes()
     assert before.startswith(b"\x89PNG")
-    assert refused(capsys, *arguments) == f"--plot {picture}: exists; --overwrite replaces a file"
+    assert (
+        refused(capsys, *arguments) == f"--plot {picture}: exists already; --overwrite replaces it"
+    )
     measured(capsys, *arguments, "--overwrite")
     assert picture.read_bytes() == before
-    assert "must end in one of .pdf, .png, .svg" in refused(
+    assert "must end in .pdf or .png or .svg" in refused(
         capsys, scan(), "--plot", tmp_path / "scan.gif"
     )
 

@@ -265,7 +265,7 @@ ROWS = "".join(f"{0.01 * k},0\n" for k in range(-47, 48))
 BAD_SCANS = {
     "no thickness": (
         "# aspect: 2\n# strain: 0.1\ny,w\n" + ROWS,
-        ": a line '# thickness: number' is missing; must be > 0 and <= 0.05",
+        ": a line '# thickness: number' is missing; must be >= 1e-6 and <= 0.05 (t/W)",
     ),
     "strain twice": (SCAN + "# strain: 0.2\ny,w\n" + ROWS, ", line 4: '# strain:' is given twice"),
     "percent": (
