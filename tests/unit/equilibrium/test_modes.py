@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from wrinklestudy.equilibrium import flat, modes, seeds
+from wrinklestudy.equilibrium import flat, modes, quartic, seeds
 from wrinklestudy.equilibrium.problem import PlateProblem
 from wrinklestudy.fem.boundary import QUARTER, Symmetry
 from wrinklestudy.fem.factorisation import count_negative_eigenvalues, multiply
@@ -52,7 +52,7 @@ def test_reduced_energy_is_the_energy_of_small_wrinkles(state):
     problem = PlateProblem.of_flat(state, found, thickness)
     free = problem.assembler.free
     direction = np.array([1.0, -0.4, 0.3])
-    first, second = np.array(modes.pairs(3)).T
+    first, second = np.array(quartic.pairs(3)).T
     flat_energy = problem.energy(seeds.seed_position(state, found, 0 * direction)[free])
 
     def remainder(size):
@@ -75,7 +75,7 @@ def test_seeds_are_stationary_and_below_the_flat_state(state):
     found, thickness = modes.critical_modes(state, count=4), 8e-4
     assert np.sum(found.thickness > thickness) >= 2
     starts = seeds.seeds(found, thickness)
-    first, second = np.array(modes.pairs(4)).T
+    first, second = np.array(quartic.pairs(4)).T
 
     def energy(q):
         z = q[first] * q[second]
