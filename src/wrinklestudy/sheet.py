@@ -1,5 +1,6 @@
 """One sheet for interactive use: material, L/W and t/W in, states and measures out."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 from time import perf_counter
@@ -137,7 +138,19 @@ class Sheet:
             measures = measure_sheet(DeformedSheet(self.space.grid, nodes, self.settings.symmetry))
         return State(strain, found, measures, seconds)
 
-    def stability(self) -> stability.Stability:
-        """Return birth and decay strain with the critical thicknesses between."""
-        curve = stability.critical_curve(self.space, self.material, self.settings)
-        return stability.find(curve, self.thickness)
+    def stability(
+        self, report: Callable[[float, float], None] | None = None
+    ) -> stability.Stability:
+        """Return birth and decay strain, the largest critical thickness and those between.
+
+        Parameters
+        ----------
+        report : callable, optional
+            Called with each strain that is computed and its tau_1/W.
+
+        Raises
+        ------
+        ArithmeticError
+            If the critical thickness can be computed at no strain; one line.
+        """
+        return stability.of_sheet(self.space, self.material, self.settings, self.thickness, report)

@@ -14,14 +14,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> dict[str, Any]:
     """Return birth and decay strain with the critical thicknesses between."""
-    from wrinklestudy.equilibrium import stability
+    return vars(sheet(arguments).stability(_report))
 
-    chosen = sheet(arguments)
-    curve = stability.critical_curve(chosen.space, chosen.material, chosen.settings)
 
-    def reported(strain: float) -> float:
-        value = curve(strain)
-        print(f"strain {strain:.5f}: critical thickness {value:.6g} W", file=sys.stderr)
-        return value
-
-    return vars(stability.find(reported, chosen.thickness))
+def _report(strain: float, thickness: float) -> None:
+    print(f"strain {strain:.5f}: critical thickness {thickness:.6g} W", file=sys.stderr)
