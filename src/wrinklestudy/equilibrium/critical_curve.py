@@ -70,11 +70,27 @@ class CriticalCurve:
         start = near = None
         if self.guide is not None:
             near = _ABOVE * self.guide(strain) or None
-            start = transferred(self.guide.points[strain].position, self.guide.space, self.space)
+            start = self._start(self.guide, strain)
         symmetry = self.settings.symmetry
         flat = solve_flat(self.space, self.law, strain, symmetry=symmetry, start=start)
         thickness = critical_thickness(flat, self.settings.bending, symmetry, near)
         return CriticalPoint(thickness, flat.position)
+
+    def _start(self, guide: "CriticalCurve", strain: float) -> Array:
+        """Return a position near the flat state, from the guide and the nearest state known.
+
+        What the guide lacks grows like the strain.
+        """
+
+        def guided(strain: float) -> Array:
+            return transferred(guide.points[strain].position, guide.space, self.space)
+
+        start = guided(strain)
+        if self.points:
+            nearest = min(self.points, key=lambda other: abs(other - strain))
+            lacking = self.points[nearest].position - guided(nearest)
+            start += strain / nearest * lacking
+        return start
 
 
 def critical_curve(

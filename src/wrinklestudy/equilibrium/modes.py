@@ -36,14 +36,18 @@ from wrinklestudy.typing import Array, Mask
 _CORNER = (0.8, 0.6)
 CORNER_PART = 0.5
 # Thinner than any sheet: modes of a smaller critical thickness count as always stable. Where no
-# thickness wrinkles, thousands of tau^2 crowd below zero, and Lanczos never tells them apart.
+# thickness wrinkles, thousands of tau^2 crowd below zero, and Lanczos never tells them apart; nor
+# those near zero beside a leading mode of the corner.
 _SMALLEST_THICKNESS = 1.0e-7
+_SMALLEST_PART = 1.0 / 40.0  # of tau_1
 # Thicknesses that are tried in turn as an upper bound of all tau_i; near tau_1 the eigenvalues are
 # well apart. At small strains tau_1 goes like the root of the strain.
 _FIRST_TRIAL = 1.6e-3
 _TRIAL_OVER_ROOT = 0.01
 _SMALLEST_TRIAL = 1.0e-6
 _LARGEST_TRIAL = 1.0
+_TRIAL_GROWTH = 2.0
+_NEAR_GROWTH = 1.1  # where tau_1 is known roughly
 _LOOSEST_TRIAL = 4.0  # the least bound that is sought, in units of tau_1
 _LANCZOS = 4  # vectors for each eigenvalue
 _FEWEST_VECTORS = 8
@@ -61,8 +65,8 @@ class Modes:
     bending : str
         The bending law, a name in `mechanics.bending.BENDING_LAWS`.
     squared : (m,) array
-        tau_i^2 > 0 in units of W^2, falling. Modes that no thickness makes unstable are left out,
-        so that there may be fewer than were asked for, or none.
+        tau_i^2 > 0 in units of W^2, falling. Modes that no thickness makes unstable, or only one
+        below tau_1/40, are left out, so that there may be fewer than were asked for, or none.
     shapes : (m, size) array
         Modes as dof vectors with phi_i . B phi_j = delta_ij.
     corner : (m,) array
@@ -134,7 +138,7 @@ def deflection_forms(flat: Flat, bending: str, symmetry: Symmetry) -> Deflection
 class Spectrum(NamedTuple):
     """Leading critical thicknesses squared, modes and the part of their energy at the corner.
 
-    As in `Modes`: only modes that some thickness makes unstable.
+    As in `Modes`: those that some thickness makes unstable.
     """
 
     squared: Array
@@ -151,8 +155,8 @@ def spectrum(
 ) -> Spectrum:
     """Return the largest critical thicknesses of a flat state and their modes, see `Modes`.
 
-    One factorisation counts the modes that some thickness makes unstable (Sylvester's law of
-    inertia): no others are looked for.
+    One factorisation counts the modes that a thickness makes unstable (Sylvester's law of inertia),
+    and no others are looked for.
 
     Parameters
     ----------
@@ -173,14 +177,17 @@ def spectrum(
         If the flat sheet is unstable at any thickness up to W.
     """
     forms = deflection_forms(flat, bending, symmetry)
-    unstable = count_negative_eigenvalues(forms.shifted(_SMALLEST_THICKNESS**2))
-    shapes = np.zeros((min(count, unstable), flat.space.size))
-    if unstable == 0:
-        return Spectrum(np.empty(0), shapes, np.empty(0))
+    if _definite(forms, _SMALLEST_THICKNESS):
+        return Spectrum(np.empty(0), np.empty((0, flat.space.size)), np.empty(0))
     trial = min(_FIRST_TRIAL, max(_TRIAL_OVER_ROOT * abs(flat.strain) ** 0.5, _SMALLEST_TRIAL))
-    squared, vectors = _eigen(forms, len(shapes), near or trial)
-    shapes[:, forms.assembler.free[0]] = vectors.T
-    return Spectrum(squared, shapes, _corner_part(flat, forms.points, shapes))
+    trial = _trial(forms, near or trial, _TRIAL_GROWTH if near is None else _NEAR_GROWTH)
+    least = max(_SMALLEST_PART * trial / _LOOSEST_TRIAL, _SMALLEST_THICKNESS)
+    unstable = count_negative_eigenvalues(forms.shifted(least**2))
+    squared, vectors = _eigen(forms, min(count, unstable), trial)
+    kept = squared >= _SMALLEST_PART**2 * squared[0]
+    shapes = np.zeros((kept.sum(), flat.space.size))
+    shapes[:, forms.assembler.free[0]] = vectors.T[kept]
+    return Spectrum(squared[kept], shapes, _corner_part(flat, forms.points, shapes))
 
 
 def critical_thickness(
@@ -219,10 +226,9 @@ def critical_modes(
 
 
 def _eigen(forms: DeflectionForms, count: int, trial: float) -> tuple[Array, Array]:
-    """Solve -S phi = mu B phi for the largest mu below a sigma that makes S + sigma B definite.
+    """Solve -S phi = mu B phi for the largest mu below sigma, the square of a trial thickness.
 
-    The first sigma to try is the square of a trial thickness. At least `count` of the mu must be
-    positive.
+    The solver of the assembler must hold S + sigma B, and at least `count` of the mu be positive.
 
     In the form B phi = theta (S + sigma B) phi, theta = 1/(sigma - mu), the right side is definite
     even where B is not: for Mooney-Rivlin d2W/dg12^2 is negative beyond a shear that the corner
@@ -230,7 +236,6 @@ def _eigen(forms: DeflectionForms, count: int, trial: float) -> tuple[Array, Arr
     """
     from scipy.sparse.linalg import LinearOperator, eigsh
 
-    trial = _factorised_trial(forms, trial)
     size = forms.assembler.size
     theta, vectors = eigsh(
         symmetric(forms.bending),
@@ -249,26 +254,27 @@ def _eigen(forms: DeflectionForms, count: int, trial: float) -> tuple[Array, Arr
     return trial**2 - 1.0 / theta, vectors * np.sign(vectors[largest, np.arange(count)])
 
 
-def _factorised_trial(forms: DeflectionForms, trial: float) -> float:
-    """Return a thickness that makes S + trial^2 B definite, at most a few times tau_1.
+def _trial(forms: DeflectionForms, trial: float, growth: float) -> float:
+    """Return a thickness that makes S + trial^2 B definite, at most a few times tau_1 > 0.
 
-    The matrix is left factorised in the solver of the assembler. Some tau_i must be positive.
+    The matrix is left factorised in the solver of the assembler.
     """
-
-    def definite(thickness: float) -> bool:
-        try:
-            forms.assembler.solver.factorise(forms.shifted(thickness**2))
-        except NotPositiveDefiniteError:
-            return False
-        return True
-
-    while definite(trial / _LOOSEST_TRIAL):
+    while _definite(forms, trial / _LOOSEST_TRIAL):
         trial /= _LOOSEST_TRIAL
-    while not definite(trial):
-        trial *= 2.0
+    while not _definite(forms, trial):
+        trial *= growth
         if trial > _LARGEST_TRIAL:
             raise ArithmeticError("the flat sheet is unstable at any thickness")
     return trial
+
+
+def _definite(forms: DeflectionForms, thickness: float) -> bool:
+    """Factorise S + t^2 B in the solver of the assembler; return whether it is definite."""
+    try:
+        forms.assembler.solver.factorise(forms.shifted(thickness**2))
+    except NotPositiveDefiniteError:
+        return False
+    return True
 
 
 def _corner_part(flat: Flat, bent: Array, shapes: Array) -> Array:

@@ -1,18 +1,17 @@
 """A cheap curve scaled to a costly one at the strains where both are known."""
 
 import math
+from bisect import bisect_left
 from collections.abc import Callable
 from dataclasses import dataclass, field
-
-import numpy as np
 
 
 @dataclass(eq=False)
 class ScaledCurve:
     """The function guide(eps) x ratio(eps), where the ratio makes it exact at some strains.
 
-    Between those the ratio is linear in log(eps), beyond them it is constant: for small strains
-    both curves go like the root of the strain.
+    Between those the ratio is linear in 1/guide^2, beyond them it is constant: what a coarse mesh
+    leaves unresolved grows as tau_1 and with it the wavelength fall, and is least at the maximum.
 
     Parameters
     ----------
@@ -75,7 +74,12 @@ class ScaledCurve:
     def ratio(self, strain: float) -> float:
         """Return the factor from the guide to the scaled curve."""
         strains = sorted(e for e in self.exact if self.rough[e] > 0.0)
-        if not strains:
+        if not strains or self.rough[strain] == 0.0:
             return 1.0
-        ratios = [self.exact[e] / self.rough[e] for e in strains]
-        return float(np.interp(math.log(strain), np.log(strains), ratios))
+        place = bisect_left(strains, strain)
+        left, right = strains[max(place - 1, 0)], strains[min(place, len(strains) - 1)]
+        first, last = self.exact[left] / self.rough[left], self.exact[right] / self.rough[right]
+        start, here, end = (self.rough[e] ** -2.0 for e in (left, strain, right))
+        if strain <= left or strain >= right or start == end:
+            return last if strain >= right else first
+        return first + (last - first) * min(max((here - start) / (end - start), 0.0), 1.0)
