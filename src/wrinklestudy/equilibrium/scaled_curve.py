@@ -5,13 +5,16 @@ from bisect import bisect_left
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
+_CLOSE = 1.25  # ratio of close strains
+
 
 @dataclass(eq=False)
 class ScaledCurve:
     """The function guide(eps) x ratio(eps), where the ratio makes it exact at some strains.
 
-    Between those the ratio is linear in 1/guide^2, beyond them it is constant: what a coarse mesh
-    leaves unresolved grows as tau_1 and with it the wavelength fall, and is least at the maximum.
+    Beyond those the ratio is constant. Between two of them it is linear in 1/guide^2, since what a
+    coarse mesh leaves unresolved grows as tau_1 and with it the wavelength fall, and is least at
+    the maximum; between close ones it is linear in the strain.
 
     Parameters
     ----------
@@ -79,7 +82,9 @@ class ScaledCurve:
         place = bisect_left(strains, strain)
         left, right = strains[max(place - 1, 0)], strains[min(place, len(strains) - 1)]
         first, last = self.exact[left] / self.rough[left], self.exact[right] / self.rough[right]
-        start, here, end = (self.rough[e] ** -2.0 for e in (left, strain, right))
+        start, here, end = left, strain, right
+        if right > _CLOSE * left:
+            start, here, end = (self.rough[e] ** -2.0 for e in (left, strain, right))
         if strain <= left or strain >= right or start == end:
             return last if strain >= right else first
         return first + (last - first) * min(max((here - start) / (end - start), 0.0), 1.0)

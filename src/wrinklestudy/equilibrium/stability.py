@@ -43,7 +43,7 @@ _GAIN = 2.0e-5
 # A guide that is less true than this at the maximum does not know well where it is: values on both
 # sides, at these multiples of its strain, tell.
 _TRUE = 5.0e-3
-_BESIDE = (0.8, 1.25)
+_BESIDE = (0.9, 1.1)
 _MAX_PASSES = 10
 
 
