@@ -5,7 +5,8 @@ from bisect import bisect_left
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-_CLOSE = 1.25  # ratio of close strains
+_DIFFERENT = 0.2  # least difference of 1/guide^2, in parts of it, by which to interpolate
+_BACK = 0.95  # where a curve ends, what the guide gave just below is not trusted
 
 
 @dataclass(eq=False)
@@ -14,7 +15,7 @@ class ScaledCurve:
 
     Beyond those the ratio is constant. Between two of them it is linear in 1/guide^2, since what a
     coarse mesh leaves unresolved grows as tau_1 and with it the wavelength fall, and is least at
-    the maximum; between close ones it is linear in the strain.
+    the maximum; between strains with nearly the same value it is linear in the strain.
 
     Parameters
     ----------
@@ -29,6 +30,8 @@ class ScaledCurve:
         Values of the guide by strain.
     end : float
         Strain from which on one of them cannot be computed.
+    broken : bool
+        Whether it is the curve that cannot, so that its values below must be checked.
     reason : str
         Why not; one line.
     """
@@ -38,6 +41,7 @@ class ScaledCurve:
     exact: dict[float, float] = field(default_factory=dict, init=False)
     rough: dict[float, float] = field(default_factory=dict, init=False)
     end: float = field(default=math.inf, init=False)
+    broken: bool = field(default=False, init=False)
     reason: str = field(default="", init=False)
 
     def __call__(self, strain: float) -> float:
@@ -63,12 +67,18 @@ class ScaledCurve:
         return [(strain, self(strain)) for strain in self.rough if strain < self.end]
 
     def correct(self, strain: float) -> None:
-        """Make the scaled curve exact at a strain, or end it there."""
+        """Make the scaled curve exact at a strain, or end it a little below.
+
+        Raises
+        ------
+        ArithmeticError
+            If the guide cannot be computed there.
+        """
+        self(strain)  # the ratio needs both
         try:
-            self(strain)  # the ratio needs both
             self.exact[strain] = self.curve(strain)
         except ArithmeticError as error:
-            self.end, self.reason = strain, str(error)
+            self.end, self.broken, self.reason = _BACK * strain, True, str(error)
 
     def distance(self, strain: float) -> float:
         """Return how far the nearest strain is at which the curve itself was computed."""
@@ -82,9 +92,9 @@ class ScaledCurve:
         place = bisect_left(strains, strain)
         left, right = strains[max(place - 1, 0)], strains[min(place, len(strains) - 1)]
         first, last = self.exact[left] / self.rough[left], self.exact[right] / self.rough[right]
-        start, here, end = left, strain, right
-        if right > _CLOSE * left:
-            start, here, end = (self.rough[e] ** -2.0 for e in (left, strain, right))
-        if strain <= left or strain >= right or start == end:
+        if strain <= left or strain >= right:
             return last if strain >= right else first
+        start, here, end = (self.rough[e] ** -2.0 for e in (left, strain, right))
+        if abs(end - start) < _DIFFERENT * max(start, end):
+            start, here, end = left, strain, right
         return first + (last - first) * min(max((here - start) / (end - start), 0.0), 1.0)

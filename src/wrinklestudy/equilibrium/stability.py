@@ -33,6 +33,7 @@ _TOLERANCE = 1.0e-5  # of birth and decay strain
 _RELATIVE = 1.0e-3  # of a small strain of birth, which falls like t^2
 _STEP_BEYOND = 0.1  # of the search beyond the last strain
 _MAX_EVALUATIONS = 30
+_HALVES = 5  # of the last step, where a curve ends within it
 # A maximum of tau_1 between two strains is looked for if the table comes this near to the thickness
 # or to its own largest value, a minimum if it comes as near from above.
 _NEAR = 0.8
@@ -44,7 +45,7 @@ _GAIN = 2.0e-5
 # sides, at these multiples of its strain, tell.
 _TRUE = 5.0e-3
 _BESIDE = (0.9, 1.1)
-_MAX_PASSES = 10
+_MAX_PASSES = 20
 
 
 @dataclass(frozen=True)
@@ -200,10 +201,28 @@ def _survey(
         except ArithmeticError as error:
             if max(table) == 0.0:
                 raise
-            return str(error)
+            return _edge(curve, table, strain, str(error))
         if until is not None and table[strain] <= until:
             break
     return ""
+
+
+def _edge(
+    curve: Callable[[float], float], table: dict[float, float], failed: float, reason: str
+) -> str:
+    """Put values nearer to the strain beyond which none can be computed into a table.
+
+    Returns the last reason for one that failed.
+    """
+    low = max(table)
+    for _ in range(_HALVES):
+        middle = 0.5 * (low + failed)
+        try:
+            table[middle] = curve(middle)
+            low = middle
+        except ArithmeticError as error:
+            failed, reason = middle, str(error)
+    return reason
 
 
 def _beyond(table: dict[float, float], thickness: float) -> list[float]:
@@ -282,7 +301,8 @@ def _find_guided(scaled: ScaledCurve, thickness: float, survey: Sequence[float])
         if not wanted:
             break
         for strain in wanted:
-            scaled.correct(strain)
+            if strain < scaled.end:
+                scaled.correct(strain)
     strain = max(scaled.exact, key=scaled.exact.__getitem__, default=limits.strain_at_max)
     return Stability(
         **vars(limits)
@@ -297,6 +317,8 @@ def _find_guided(scaled: ScaledCurve, thickness: float, survey: Sequence[float])
 def _wanted(limits: Stability, scaled: ScaledCurve) -> list[float]:
     """Return the strains at which a curve itself must still be computed: the maximum first."""
     best = max(scaled.exact.values(), default=0.0)
+    if scaled.broken and scaled.distance(limits.largest_strain) > 0.0:
+        return [limits.largest_strain]
     if limits.max_critical_thickness == 0.0:
         return []
     if limits.max_critical_thickness > (1.0 + _GAIN) * best:
