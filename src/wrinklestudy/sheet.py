@@ -7,6 +7,7 @@ from time import perf_counter
 from typing import Any
 
 from wrinklestudy.equilibrium import planar, stability, wrinkled
+from wrinklestudy.equilibrium.ranges import Stability
 from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics.bending import bending_law_of
@@ -138,9 +139,7 @@ class Sheet:
             measures = measure_sheet(DeformedSheet(self.space.grid, nodes, self.settings.symmetry))
         return State(strain, found, measures, seconds)
 
-    def stability(
-        self, report: Callable[[float, float], None] | None = None
-    ) -> stability.Stability:
+    def stability(self, report: Callable[[float, float], None] | None = None) -> Stability:
         """Return birth and decay strain, the largest critical thickness and those between.
 
         Parameters

@@ -13,11 +13,12 @@ from wrinklestudy.fem.transfer import coarsened, transferred
 from wrinklestudy.mechanics.laws import Law, Material
 from wrinklestudy.typing import Array
 
-# Cells of a guide. They give tau_1 to some parts in a thousand; where tau_1 is far smaller than its
-# maximum, so that the modes have many waves, to some parts in a hundred.
+# Least cells of a guide. They give tau_1 to some parts in a thousand; where it is far smaller than
+# its maximum, so that the modes have many waves, to some parts in a hundred. Cells that are wider
+# than high at the corner would have modes there that no finer mesh has.
 _GUIDE_ACROSS = 24
 _GUIDE_ALONG = 12
-_GUIDE_COARSER = 3  # along a long sheet
+_LONG, _THIN = 0.4, 0.25  # parts of the cells of long sheets, along, and of thin ones, across
 _WORTH = 0.5  # part of the cells of the sheet above which a guide saves nothing
 _ABOVE = 1.02  # tau_1 of a guide is that near to tau_1
 
@@ -113,7 +114,10 @@ def guided_curve(
     """
     space = grid if isinstance(grid, Space) else Space(grid)
     along, across = space.grid.cells
-    coarse = coarsened(space.grid, max(_GUIDE_ALONG, along // _GUIDE_COARSER), _GUIDE_ACROSS)
+    coarse = coarsened(space.grid, max(_GUIDE_ALONG, int(_LONG * along)), across)
+    lowest = float(coarse.x[-1] - coarse.x[-2])  # of cells that are no wider than high
+    most = max(_GUIDE_ACROSS, min(int(_THIN * across), int(coarse.y[-1] / lowest)))
+    coarse = coarsened(coarse, along, most)
     guide = None
     if coarse.cells[0] * coarse.cells[1] <= _WORTH * along * across:
         guide = CriticalCurve(Space(coarse), material.law, settings, report=report)

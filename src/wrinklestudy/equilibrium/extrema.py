@@ -6,6 +6,7 @@ from typing import NamedTuple
 _TOLERANCE = 1.0e-5  # of the square of the curve, in parts of it
 _MAX_EVALUATIONS = 60
 _SHRINK = 0.5  # a bracket that two steps do not shrink this much is halved
+_NARROW = 0.1  # part of the strain: in such a bracket a parabola is believed
 _SAME = 1.0e-3  # strains nearer than this part of a bracket count as the same
 
 
@@ -43,8 +44,8 @@ def refine(
     """Refine an inner extremum of a table; what is computed joins it.
 
     Steps to the vertex of the parabola through three points of the square of the curve, with
-    bisection where they are slow, as at a kink. It ends where a parabola foretold the last value
-    and promises no more than a hundred-thousandth.
+    bisection where they are slow, as at a kink. It ends where a parabola in a narrow bracket, or
+    one that foretold the last value, promises no more than a hundred-thousandth.
 
     Parameters
     ----------
@@ -69,7 +70,7 @@ def refine(
     strains = sorted(table)
     k = strains.index(place)
     low, high = strains[k - 1], strains[k + 1]
-    foretold, widths = False, [2.0 * (high - low)] * 2
+    foretold, widths = high - low < _NARROW * place, [2.0 * (high - low)] * 2
     for _ in range(_MAX_EVALUATIONS):
         parabola = _through(low, place, high, height)
         tolerance = _TOLERANCE * max(abs(height(place)), abs(height(low)), abs(height(high)))
