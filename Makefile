@@ -9,7 +9,8 @@ BIN := .venv/bin
 READY := $(BIN)/.ready
 LOCK := requirements/lock.txt
 PIP := $(BIN)/python -m pip --disable-pip-version-check
-SNAKEMAKE := $(BIN)/snakemake --cores $(CORES) --quiet host rules
+# a lock that a killed run left goes first; that of a live run stops make
+SNAKEMAKE := $(BIN)/python workflow/unlock.py && $(BIN)/snakemake --cores $(CORES) --quiet host rules
 
 # jobs and tests run side by side, each on one thread
 ONE_THREAD := OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1

@@ -8,6 +8,7 @@ from typing import Any
 
 from wrinklestudy.equilibrium import planar, stability, wrinkled
 from wrinklestudy.equilibrium.newton import Observer
+from wrinklestudy.equilibrium.ranges import Stability
 from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.size import ProblemSize, available_memory, gigabytes
 from wrinklestudy.fem.space import Space
@@ -196,17 +197,20 @@ class Sheet:
             measures = measure_sheet(DeformedSheet(self.space.grid, nodes, self.settings.symmetry))
         return State(strain, found, measures, seconds)
 
-    def stability(self) -> stability.Stability:
-        """Return birth and decay strain with the critical thicknesses between."""
-        return stability.find(self.critical_thickness(), self.thickness)
+    def stability(self, report: Callable[[float, float], None] | None = None) -> Stability:
+        """Return birth and decay strain, the largest critical thickness and those between.
 
-    def critical_thickness(self) -> Callable[[float], float]:
-        """Return the function tau_1(eps)/W of the sheet, see `stability.critical_curve`.
+        Parameters
+        ----------
+        report : callable, optional
+            Called with each strain that is computed and its tau_1/W.
 
         Raises
         ------
+        ArithmeticError
+            If the critical thickness can be computed at no strain; one line.
         MemoryError
             If the memory would not hold the problem; one line with its size.
         """
         self.check_memory(wrinkled=False)
-        return stability.critical_curve(self.space, self.material, self.settings)
+        return stability.of_sheet(self.space, self.material, self.settings, self.thickness, report)

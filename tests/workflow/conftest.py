@@ -82,6 +82,12 @@ def copy_of_the_project(folder: Path) -> Study:
     return Study(folder)
 
 
+@pytest.fixture
+def fresh(tmp_path):
+    """A copy of the project in which nothing has run yet."""
+    return copy_of_the_project(tmp_path)
+
+
 @pytest.fixture(scope="session")
 def project():
     """The function that copies the project into a folder."""

@@ -8,7 +8,7 @@ import pandas as pd
 from scipy.optimize import brentq
 
 from verification.checks import Check, Group, Table, conclusion, write
-from wrinklestudy.equilibrium.stability import Stability
+from wrinklestudy.equilibrium.ranges import Stability
 from wrinklestudy.mechanics.laws import mooney_rivlin
 from wrinklestudy.sheet import Sheet
 from wrinklestudy.study.figures import style

@@ -19,6 +19,7 @@ from verification.tools.sheets import (
 )
 from verification.tools.tracing import MESH, STARTS, Landau, Traced, landau, slopes, traced
 from wrinklestudy.equilibrium import continuation, flat, stability
+from wrinklestudy.equilibrium.critical_curve import critical_curve
 from wrinklestudy.equilibrium.planar import PlanarSettings
 from wrinklestudy.equilibrium.planar import solve as solve_planar
 from wrinklestudy.study.figures import style
@@ -185,7 +186,7 @@ def run(output: AnyPath) -> None:
     output = Path(output)
     runs, seeded = [traced(name) for name in STARTS], from_seeds()
     rows = {branch.name: landau(branch) for branch in runs}
-    curve = stability.critical_curve(quarter(*MESH), LATEX, PlanarSettings())
+    curve = critical_curve(quarter(*MESH), LATEX, PlanarSettings())
     ends = stability.find(curve, THICKNESS)
     roots = {"upward": ends.decay_strain, "downward": ends.birth_strain}
     checks: list[Check] = []

@@ -18,6 +18,7 @@ from verification.tools.sheets import (
 )
 from verification.tools.stretched_stiffness import across_pull
 from wrinklestudy.equilibrium import flat, modes, stability
+from wrinklestudy.equilibrium.critical_curve import critical_curve
 from wrinklestudy.equilibrium.planar import PlanarSettings
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics.laws import Material
@@ -67,7 +68,7 @@ def curves(name: str) -> list[LawCurve]:
                 continue
     result = []
     for bending in BENDING_LAWS:
-        curve = stability.critical_curve(space, material, PlanarSettings(bending))
+        curve = critical_curve(space, material, PlanarSettings(bending))
         ends = stability.find(curve, THICKNESS, known[bending])
         birth, decay = _number(ends.birth_strain), _number(ends.decay_strain)
         table = np.array([row for row in ends.critical_thickness if row[0] <= top + 1e-9])

@@ -6,8 +6,9 @@ import numpy as np
 
 from verification.checks import Check, Table
 from verification.tools.sheets import amplitude, energy_below
-from wrinklestudy.equilibrium.modes import Modes, pairs
+from wrinklestudy.equilibrium.modes import Modes
 from wrinklestudy.equilibrium.planar import Planar
+from wrinklestudy.equilibrium.quartic import pairs
 from wrinklestudy.equilibrium.seeds import seed_position
 from wrinklestudy.equilibrium.wrinkled import Equilibrium, WrinkleSettings, minimise_from
 from wrinklestudy.typing import Array

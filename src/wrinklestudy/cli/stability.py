@@ -10,7 +10,7 @@ from wrinklestudy.cli.sentences import stability_text
 from wrinklestudy.cli.sheet_options import GivenSize, add_sheet, announce, given_size, sheet
 
 if TYPE_CHECKING:
-    from wrinklestudy.equilibrium.stability import Stability
+    from wrinklestudy.equilibrium.ranges import Stability
     from wrinklestudy.sheet import Sheet
 
 
@@ -23,35 +23,29 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> Answer:
     """Return birth and decay strain with the critical thicknesses between."""
-    from wrinklestudy.equilibrium import stability
     from wrinklestudy.stages.figures import SUFFIXES
 
     size = given_size(arguments)
     (plot,) = planned("--plot", arguments.plot, SUFFIXES, arguments.overwrite, [""])
     chosen = sheet(arguments, size)
     announce(chosen, wrinkled=False)
-    curve = chosen.critical_thickness()
-
-    def reported(strain: float) -> float:
-        value = curve(strain)
-        print(f"strain {strain:.5f}: critical thickness {value:.6g} W", file=sys.stderr)
-        return value
-
-    found = stability.find(reported, chosen.thickness)
-    if not found.critical_thickness:
-        raise ArithmeticError("the sheet has no flat state at any of the strains that were tried")
+    limits = chosen.stability(_report)
     if plot is not None:
-        write(plot, lambda path: _draw(chosen, size, found, path))
-    values = dict(vars(found))
+        write(plot, lambda path: _draw(chosen, size, limits, path))
+    values = dict(vars(limits))
     if size.width_mm is not None:
         for name in ("birth", "decay"):
             values[f"{name}_clamps_mm"] = size.clamps_mm(values[f"{name}_strain"])
     return Answer(values, stability_text(values, size))
 
 
-def _draw(chosen: "Sheet", size: GivenSize, found: "Stability", path: object) -> None:
+def _report(strain: float, thickness: float) -> None:
+    print(f"strain {strain:.5f}: critical thickness {thickness:.6g} W", file=sys.stderr)
+
+
+def _draw(chosen: "Sheet", size: GivenSize, limits: "Stability", path: object) -> None:
     from wrinklestudy.cli.solving import pictured_sheet
     from wrinklestudy.study.figures import one_sheet, style
 
     with style.applied():
-        style.save(one_sheet.draw_stability(pictured_sheet(chosen, size), found), str(path))
+        style.save(one_sheet.draw_stability(pictured_sheet(chosen, size), limits), str(path))

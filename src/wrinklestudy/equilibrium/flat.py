@@ -160,6 +160,7 @@ def solve(
     options: newton.NewtonOptions | None = None,
     symmetry: Symmetry = QUARTER,
     observer: newton.Observer | None = None,
+    start: Array | None = None,
 ) -> Flat:
     """Return the flat equilibrium of a clamped sheet stretched by a strain.
 
@@ -176,6 +177,8 @@ def solve(
         Mirrors that bound the grid.
     observer : newton.Observer, optional
         Is told of each iteration.
+    start : (2, size) array, optional
+        A position near the equilibrium, say from a coarser grid; only its free values count.
 
     Raises
     ------
@@ -187,18 +190,20 @@ def solve(
     problem = MembraneProblem(space, law, stretched(space, strain, symmetry), symmetry)
     if observer is not None:
         options = replace(options, observe=partial(observer, "flat state"))
-    minimum = _load(problem, strain, options)
+    minimum = _load(problem, strain, options, problem.prescribed if start is None else start)
     if not minimum.converged:
         raise NotConvergedError(f"flat state at strain {strain:g}: {minimum.reason}")
     position, force = problem.position(minimum.unknowns), problem.force(minimum.unknowns)
     return Flat(space, law, strain, position, minimum.energy, force, minimum.history, symmetry)
 
 
-def _load(problem: MembraneProblem, strain: float, options: newton.NewtonOptions) -> newton.Minimum:
-    """Minimise from the first guess; where that fails approach the strain in steps."""
+def _load(
+    problem: MembraneProblem, strain: float, options: newton.NewtonOptions, start: Array
+) -> newton.Minimum:
+    """Minimise from a first guess; where that fails approach the strain in steps."""
     free, space = problem.assembler.free, problem.assembler.space
     solver, symmetry = problem.assembler.solver, problem.symmetry
-    at_once = newton.minimise(problem, problem.prescribed[free], solver, options)
+    at_once = newton.minimise(problem, start[free], solver, options)
     if at_once.converged:
         return at_once
     reached, step, correction = 0.0, 0.5 * strain, np.zeros_like(problem.prescribed)
@@ -210,8 +215,8 @@ def _load(problem: MembraneProblem, strain: float, options: newton.NewtonOptions
             guess = stretched(space, target, symmetry)
             loaded = MembraneProblem(space, problem.law, guess, symmetry)
         # What the load so far did to the sheet beyond the first guess of its strain
-        start = (loaded.prescribed + correction)[free]
-        minimum = newton.minimise(loaded, start, solver, options)
+        guess = loaded.prescribed + correction
+        minimum = newton.minimise(loaded, guess[free], solver, options)
         if not minimum.converged:
             step *= 0.5
         elif last:

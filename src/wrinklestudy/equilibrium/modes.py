@@ -19,24 +19,38 @@ from typing import NamedTuple
 import numpy as np
 from scipy import sparse
 
-from wrinklestudy.equilibrium.flat import Flat, membrane_assembler
+from wrinklestudy.equilibrium.flat import Flat
+from wrinklestudy.equilibrium.quartic import quartic_form
 from wrinklestudy.fem.assembly import Assembler, shared_assembler
 from wrinklestudy.fem.boundary import QUARTER, Symmetry
-from wrinklestudy.fem.factorisation import NotPositiveDefiniteError, symmetric
-from wrinklestudy.mechanics import membrane, plate
+from wrinklestudy.fem.factorisation import (
+    NotPositiveDefiniteError,
+    count_negative_eigenvalues,
+    symmetric,
+)
+from wrinklestudy.mechanics import plate
 from wrinklestudy.typing import Array, Mask
 
 # A mode is one of the corner when more than half of its bending energy sits beyond these parts of
 # half the length and half the width.
 _CORNER = (0.8, 0.6)
 CORNER_PART = 0.5
+# Thinner than any sheet: modes of a smaller critical thickness count as always stable. Where no
+# thickness wrinkles, thousands of tau^2 crowd below zero, and Lanczos never tells them apart; nor
+# those near zero beside a leading mode of the corner.
+_SMALLEST_THICKNESS = 1.0e-7
+_SMALLEST_PART = 1.0 / 40.0  # of tau_1
 # Thicknesses that are tried in turn as an upper bound of all tau_i; near tau_1 the eigenvalues are
 # well apart. At small strains tau_1 goes like the root of the strain.
 _FIRST_TRIAL = 1.6e-3
 _TRIAL_OVER_ROOT = 0.01
 _SMALLEST_TRIAL = 1.0e-6
 _LARGEST_TRIAL = 1.0
+_TRIAL_GROWTH = 2.0
+_NEAR_GROWTH = 1.1  # where tau_1 is known roughly
+_LOOSEST_TRIAL = 4.0  # the least bound that is sought, in units of tau_1
 _LANCZOS = 4  # vectors for each eigenvalue
+_FEWEST_VECTORS = 8
 _EIGENVALUE_TOLERANCE = 1.0e-10
 
 
@@ -51,7 +65,8 @@ class Modes:
     bending : str
         The bending law, a name in `mechanics.bending.BENDING_LAWS`.
     squared : (m,) array
-        tau_i^2 in units of W^2, falling; negative where no thickness makes the mode unstable.
+        tau_i^2 > 0 in units of W^2, falling. Modes that no thickness makes unstable, or only one
+        below tau_1/40, are left out, so that there may be fewer than were asked for, or none.
     shapes : (m, size) array
         Modes as dof vectors with phi_i . B phi_j = delta_ij.
     corner : (m,) array
@@ -72,8 +87,8 @@ class Modes:
 
     @property
     def thickness(self) -> Array:
-        """Critical thicknesses tau_i in units of W, zero where the mode is always stable."""
-        return np.sqrt(np.maximum(self.squared, 0.0))
+        """Critical thicknesses tau_i in units of W."""
+        return np.sqrt(self.squared)
 
     @property
     def wrinkles(self) -> Mask:
@@ -121,7 +136,10 @@ def deflection_forms(flat: Flat, bending: str, symmetry: Symmetry) -> Deflection
 
 
 class Spectrum(NamedTuple):
-    """Leading critical thicknesses squared, modes and the part of their energy at the corner."""
+    """Leading critical thicknesses squared, modes and the part of their energy at the corner.
+
+    As in `Modes`: those that some thickness makes unstable.
+    """
 
     squared: Array
     shapes: Array
@@ -133,8 +151,12 @@ def spectrum(
     bending: str = "thinning",
     symmetry: Symmetry = QUARTER,
     count: int = 8,
+    near: float | None = None,
 ) -> Spectrum:
     """Return the largest critical thicknesses of a flat state and their modes, see `Modes`.
+
+    One factorisation counts the modes that a thickness makes unstable (Sylvester's law of inertia),
+    and no others are looked for.
 
     Parameters
     ----------
@@ -145,7 +167,9 @@ def spectrum(
     symmetry : Symmetry
         Of the sheet with these deflections.
     count : int
-        Number of modes.
+        Largest number of modes.
+    near : float, optional
+        A thickness a little above tau_1, where that is known: it saves most of the time.
 
     Raises
     ------
@@ -153,26 +177,36 @@ def spectrum(
         If the flat sheet is unstable at any thickness up to W.
     """
     forms = deflection_forms(flat, bending, symmetry)
+    if _definite(forms, _SMALLEST_THICKNESS):
+        return Spectrum(np.empty(0), np.empty((0, flat.space.size)), np.empty(0))
     trial = min(_FIRST_TRIAL, max(_TRIAL_OVER_ROOT * abs(flat.strain) ** 0.5, _SMALLEST_TRIAL))
-    squared, vectors = _eigen(forms, count, trial)
-    shapes = np.zeros((count, flat.space.size))
-    shapes[:, forms.assembler.free[0]] = vectors.T
-    return Spectrum(squared, shapes, _corner_part(flat, forms.points, shapes))
+    trial = _trial(forms, near or trial, _TRIAL_GROWTH if near is None else _NEAR_GROWTH)
+    least = max(_SMALLEST_PART * trial / _LOOSEST_TRIAL, _SMALLEST_THICKNESS)
+    unstable = count_negative_eigenvalues(forms.shifted(least**2))
+    squared, vectors = _eigen(forms, min(count, unstable), trial)
+    kept = squared >= _SMALLEST_PART**2 * squared[0]
+    shapes = np.zeros((kept.sum(), flat.space.size))
+    shapes[:, forms.assembler.free[0]] = vectors.T[kept]
+    return Spectrum(squared[kept], shapes, _corner_part(flat, forms.points, shapes))
 
 
 def critical_thickness(
-    flat: Flat, bending: str = "thinning", symmetry: Symmetry = QUARTER
+    flat: Flat,
+    bending: str = "thinning",
+    symmetry: Symmetry = QUARTER,
+    near: float | None = None,
 ) -> float:
     """Return tau_1, the largest critical thickness of a wrinkle, in units of W.
 
-    Modes of the corners are passed over; zero where no thickness wrinkles.
+    Modes of the corners are passed over; zero where no thickness wrinkles. See `spectrum` for the
+    parameters and errors.
     """
     count = 2
     while True:
-        squared, _, corner = spectrum(flat, bending, symmetry, count)
+        squared, _, corner = spectrum(flat, bending, symmetry, count, near)
         wrinkles = squared[corner < CORNER_PART]
-        if len(wrinkles) > 0 or squared[-1] <= 0.0:
-            return float(np.sqrt(max(wrinkles.max(initial=0.0), 0.0)))
+        if len(wrinkles) > 0 or len(squared) < count:
+            return float(np.sqrt(wrinkles.max(initial=0.0)))
         count *= 2
 
 
@@ -187,14 +221,14 @@ def critical_modes(
     See `spectrum` for the parameters and errors.
     """
     squared, shapes, corner = spectrum(flat, bending, symmetry, count)
-    quartic, relaxation = _reduced(flat, shapes)
+    quartic, relaxation = quartic_form(flat, shapes)
     return Modes(symmetry, bending, squared, shapes, corner, quartic, relaxation)
 
 
 def _eigen(forms: DeflectionForms, count: int, trial: float) -> tuple[Array, Array]:
-    """Solve -S phi = mu B phi for the largest mu below a sigma that makes S + sigma B definite.
+    """Solve -S phi = mu B phi for the largest mu below sigma, the square of a trial thickness.
 
-    The first sigma to try is the square of a trial thickness.
+    The solver of the assembler must hold S + sigma B, and at least `count` of the mu be positive.
 
     In the form B phi = theta (S + sigma B) phi, theta = 1/(sigma - mu), the right side is definite
     even where B is not: for Mooney-Rivlin d2W/dg12^2 is negative beyond a shear that the corner
@@ -202,7 +236,6 @@ def _eigen(forms: DeflectionForms, count: int, trial: float) -> tuple[Array, Arr
     """
     from scipy.sparse.linalg import LinearOperator, eigsh
 
-    trial = _factorised_trial(forms, trial)
     size = forms.assembler.size
     theta, vectors = eigsh(
         symmetric(forms.bending),
@@ -211,31 +244,37 @@ def _eigen(forms: DeflectionForms, count: int, trial: float) -> tuple[Array, Arr
         Minv=LinearOperator((size, size), matvec=forms.assembler.solver.solve, dtype=np.float64),
         which="LA",
         v0=np.ones(size),
-        ncv=_LANCZOS * count,
+        ncv=min(max(_LANCZOS * count, _FEWEST_VECTORS), size),
         tol=_EIGENVALUE_TOLERANCE,
     )
     order = np.argsort(theta)[::-1]
     theta, vectors = theta[order], vectors[:, order]
-    if theta[-1] <= 0.0:
-        raise ArithmeticError(f"fewer than {count} modes have a positive bending energy")
     vectors = vectors / np.sqrt(theta)  # phi . B phi = 1
     largest = np.abs(vectors).argmax(axis=0)
     return trial**2 - 1.0 / theta, vectors * np.sign(vectors[largest, np.arange(count)])
 
 
-def _factorised_trial(forms: DeflectionForms, trial: float) -> float:
-    """Return the first of the doubled trial thicknesses that makes S + trial^2 B definite.
+def _trial(forms: DeflectionForms, trial: float, growth: float) -> float:
+    """Return a thickness that makes S + trial^2 B definite, at most a few times tau_1 > 0.
 
     The matrix is left factorised in the solver of the assembler.
     """
-    while True:
-        try:
-            forms.assembler.solver.factorise(forms.shifted(trial**2))
-            return trial
-        except NotPositiveDefiniteError:
-            trial *= 2.0
-            if trial > _LARGEST_TRIAL:
-                raise ArithmeticError("the flat sheet is unstable at any thickness") from None
+    while _definite(forms, trial / _LOOSEST_TRIAL):
+        trial /= _LOOSEST_TRIAL
+    while not _definite(forms, trial):
+        trial *= growth
+        if trial > _LARGEST_TRIAL:
+            raise ArithmeticError("the flat sheet is unstable at any thickness")
+    return trial
+
+
+def _definite(forms: DeflectionForms, thickness: float) -> bool:
+    """Factorise S + t^2 B in the solver of the assembler; return whether it is definite."""
+    try:
+        forms.assembler.solver.factorise(forms.shifted(thickness**2))
+    except NotPositiveDefiniteError:
+        return False
+    return True
 
 
 def _corner_part(flat: Flat, bent: Array, shapes: Array) -> Array:
@@ -251,37 +290,3 @@ def _corner_part(flat: Flat, bent: Array, shapes: Array) -> Array:
     corner = (x > _CORNER[0] * space.grid.x[-1] - 1e-9) & (y > _CORNER[1] * space.grid.y[-1] - 1e-9)
     fraction: Array = by_cell[:, corner.ravel()].sum(axis=1) / by_cell.sum(axis=1)
     return fraction
-
-
-def pairs(count: int) -> list[tuple[int, int]]:
-    """Return the pairs of modes i <= j in the order of `Modes.quartic`."""
-    return [(i, j) for i in range(count) for j in range(i, count)]
-
-
-def _reduced(flat: Flat, shapes: Array) -> tuple[Array, Array]:
-    """Return the quartic form G and the in-plane displacements of the reduced energy."""
-    space = flat.space
-    assembler = membrane_assembler(space, flat.symmetry)
-    solver = assembler.solver
-    tangents = space.derivatives(flat.position, 2)
-    _, _, blocks = membrane.expansion(flat.law, tangents)
-    solver.factorise(assembler.tangent(blocks))
-    stiffness = membrane.stiffness(flat.law, tangents)
-    slopes = space.derivatives(shapes, 2)
-    strains, forces, loads = [], [], []
-    for i, j in pairs(len(shapes)):
-        twice = 1.0 if i == j else 2.0
-        first, second = slopes[:, i], slopes[:, j]
-        mixed = 0.5 * (first[0] * second[1] + first[1] * second[0])
-        strain = twice * np.stack([first[0] * second[0], first[1] * second[1], mixed])
-        force = np.einsum("km...,m...->k...", stiffness, strain)
-        load = assembler.residual(membrane.gradient(force, tangents))
-        strains.append(strain.reshape(-1))
-        forces.append((force * space.measure).reshape(-1))
-        loads.append(load[assembler.free])
-    load_matrix = np.array(loads)
-    answers = -solver.solve(load_matrix.T).T
-    relaxation = np.zeros((len(loads), 2, space.size))
-    relaxation[:, assembler.free] = answers
-    quartic = np.array(strains) @ np.array(forces).T + load_matrix @ answers.T
-    return 0.5 * (quartic + quartic.T), relaxation

@@ -6,7 +6,8 @@ from typing import NamedTuple
 import numpy as np
 
 from wrinklestudy.equilibrium.flat import Flat
-from wrinklestudy.equilibrium.modes import Modes, pairs
+from wrinklestudy.equilibrium.modes import Modes
+from wrinklestudy.equilibrium.quartic import pairs
 from wrinklestudy.typing import Array
 
 _MAX_ITERATIONS = 100

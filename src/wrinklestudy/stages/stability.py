@@ -4,8 +4,9 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from wrinklestudy.equilibrium.critical_curve import critical_curve
 from wrinklestudy.equilibrium.planar import PlanarSettings
-from wrinklestudy.equilibrium.stability import critical_curve, find
+from wrinklestudy.equilibrium.stability import find
 from wrinklestudy.mechanics import laws
 from wrinklestudy.results.grids import read_grid
 from wrinklestudy.stages.log import log_cpu

@@ -15,6 +15,7 @@ from wrinklestudy.equilibrium.continuation import (
     ExtendedSystem,
     PathPoint,
 )
+from wrinklestudy.equilibrium.critical_curve import critical_curve
 from wrinklestudy.equilibrium.planar import PlanarSettings
 from wrinklestudy.equilibrium.planar import solve as solve_planar
 from wrinklestudy.equilibrium.wrinkled import solve
@@ -47,7 +48,7 @@ def short(start):
 
 @pytest.fixture(scope="module")
 def ends():
-    return stability.find(stability.critical_curve(SPACE, LATEX, PlanarSettings()), THICKNESS)
+    return stability.find(critical_curve(SPACE, LATEX, PlanarSettings()), THICKNESS)
 
 
 def test_points_are_the_states_found_on_their_own(short):

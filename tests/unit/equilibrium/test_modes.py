@@ -2,14 +2,15 @@
 
 import numpy as np
 import pytest
+import scipy.linalg
 
-from wrinklestudy.equilibrium import flat, modes, seeds
+from wrinklestudy.equilibrium import flat, modes, planar, quartic, seeds, wrinkled
 from wrinklestudy.equilibrium.problem import PlateProblem
 from wrinklestudy.fem.boundary import QUARTER, Symmetry
-from wrinklestudy.fem.factorisation import count_negative_eigenvalues, multiply
+from wrinklestudy.fem.factorisation import count_negative_eigenvalues, multiply, symmetric
 from wrinklestudy.fem.grid import Grid, MeshSettings, make_grid
 from wrinklestudy.fem.space import Space
-from wrinklestudy.mechanics.laws import mooney_rivlin
+from wrinklestudy.mechanics.laws import mooney_rivlin, saint_venant_kirchhoff
 
 LATEX = mooney_rivlin(6.21e4, 1.58e5).law
 
@@ -52,7 +53,7 @@ def test_reduced_energy_is_the_energy_of_small_wrinkles(state):
     problem = PlateProblem.of_flat(state, found, thickness)
     free = problem.assembler.free
     direction = np.array([1.0, -0.4, 0.3])
-    first, second = np.array(modes.pairs(3)).T
+    first, second = np.array(quartic.pairs(3)).T
     flat_energy = problem.energy(seeds.seed_position(state, found, 0 * direction)[free])
 
     def remainder(size):
@@ -75,7 +76,7 @@ def test_seeds_are_stationary_and_below_the_flat_state(state):
     found, thickness = modes.critical_modes(state, count=4), 8e-4
     assert np.sum(found.thickness > thickness) >= 2
     starts = seeds.seeds(found, thickness)
-    first, second = np.array(modes.pairs(4)).T
+    first, second = np.array(quartic.pairs(4)).T
 
     def energy(q):
         z = q[first] * q[second]
@@ -113,3 +114,54 @@ def test_critical_thickness_of_small_strains_goes_like_their_root(state):
     ratio = found / np.sqrt(strains)
     assert np.abs(np.diff(ratio)).max() < 10 * strains[-1] * ratio[0]
     assert abs(ratio[1] - ratio[0]) < 10 * strains[1] * ratio[0]
+
+
+def test_inertia_counts_the_modes_that_a_whole_spectrum_has(state):
+    """Of the dense eigenproblem -S phi = mu B phi as many mu exceed t^2 as inertia counts."""
+    forms = modes.deflection_forms(state, "fvk", QUARTER)
+    stress, bent = (symmetric(form).toarray() for form in (forms.stress, forms.bending))
+    squared = scipy.linalg.eigh(-stress, bent, eigvals_only=True)[::-1]
+    for thickness in (1e-6, 1e-4, 5e-4, 1e-3, 2e-3):
+        expected = int(np.sum(squared > thickness**2))
+        assert count_negative_eigenvalues(forms.shifted(thickness**2)) == expected
+    found = modes.spectrum(state, "fvk", count=6).squared
+    assert found == pytest.approx(squared[:6], rel=1e-8)
+
+
+@pytest.mark.parametrize("poisson", [0.0, 1e-8])
+def test_a_sheet_that_does_not_contract_has_no_modes(poisson):
+    """SVK with nu = 0 is in uniaxial tension everywhere: nothing is compressed."""
+    law = saint_venant_kirchhoff(1e6, poisson)
+    space = Space(make_grid(2.0, settings=MeshSettings(10, 16)))
+    known = planar.solve(space, law, 0.12)
+    assert known.flat is not None
+    assert known.modes is not None
+    assert modes.critical_thickness(known.flat) == 0.0
+    assert known.modes.squared.shape == (0,)
+    assert known.modes.critical_thickness == 0.0
+    assert seeds.seeds(known.modes, 1e-6) == []
+    state = wrinkled.solve(known, 1e-6)
+    assert state.status == "flat"
+    assert state.unstable_directions == 0
+
+
+def test_near_decay_there_are_fewer_modes_than_asked_for_and_wrinkles_form_from_them():
+    """SVK decays where the compression ends: the last modes vanish one after the other."""
+    material = saint_venant_kirchhoff(1e6, 0.5)
+    space = Space(make_grid(5.0, settings=MeshSettings(10, 30)))
+    known = planar.solve(space, material, 0.45, planar.PlanarSettings("fvk"))
+    assert known.modes is not None
+    tau = known.modes.thickness
+    assert 1 < len(tau) < 8
+    assert known.modes.quartic.shape == (len(quartic.pairs(len(tau))),) * 2
+    forms = modes.deflection_forms(known.flat, "fvk", QUARTER)
+    assert count_negative_eigenvalues(forms.shifted((0.99 * tau[-1]) ** 2)) == len(tau)
+    state = wrinkled.solve(known, 0.5 * (tau[0] + tau[1]))
+    assert state.status == "wrinkled"
+    assert state.energy < state.flat_energy
+
+
+def test_a_hint_of_tau_1_changes_nothing(state):
+    free = modes.critical_thickness(state)
+    for near in (0.5 * free, 0.98 * free, 1.02 * free, 30.0 * free):
+        assert modes.critical_thickness(state, near=near) == pytest.approx(free, rel=1e-9)

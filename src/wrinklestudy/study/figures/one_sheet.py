@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from wrinklestudy.equilibrium.stability import Stability
+from wrinklestudy.equilibrium.ranges import Stability
 from wrinklestudy.metrics.interpolant import DeformedSheet
 from wrinklestudy.metrics.profile import Profile, profile_from_state
 from wrinklestudy.metrics.surface import full_surface

@@ -52,6 +52,9 @@ _RC: dict[Any, Any] = {
     "svg.fonttype": "path",
 }
 
+# The backend stays as it is: a figure is saved without one, and to set it may load a window system.
+_KEPT = {"backend", "backend_fallback"}
+
 _METADATA: dict[str, dict[str, None]] = {
     ".pdf": {"CreationDate": None},
     ".png": {"Software": None},
@@ -112,8 +115,13 @@ def ordered(count: int) -> list[Look]:
 
 
 def applied() -> AbstractContextManager[None]:
-    """Return a context in which figures are made and saved in the shared style."""
-    return mpl.rc_context(_RC)
+    """Return a context in which figures are made and saved in the shared style.
+
+    Everything that the style leaves open is as matplotlib has it by default: a `matplotlibrc` of
+    the user, or one in the working folder, changes nothing.
+    """
+    defaults = {key: value for key, value in mpl.rcParamsDefault.items() if key not in _KEPT}
+    return mpl.rc_context(defaults | _RC)
 
 
 def new(width: float, height: float) -> Figure:
