@@ -21,9 +21,12 @@ from wrinklestudy.metrics.profile import Profile
 from wrinklestudy.metrics.scan_edges import Edges
 from wrinklestudy.metrics.scan_errors import Drawn, reached_by
 from wrinklestudy.metrics.scan_points import (
+    DENSE,
     LEAST_POINTS,
+    LEAST_POINTS_PER_WAVELENGTH,
     Waves,
     confused,
+    points_per_wavelength,
     unclear,
     usable,
     waves,
@@ -108,6 +111,9 @@ def measure_scan(y: Array, z: Array, draws: int = _DRAWS, seed: int = 0) -> Scan
     if used.sum() < LEAST_POINTS:
         return _unknown(f"{used.sum()} usable points; at least {LEAST_POINTS} are needed", used)
     found = waves(*grouped(y[used], z[used]))
+    if points_per_wavelength(y[used], found) >= DENSE:
+        used = usable(z, window=7)
+        found = waves(*grouped(y[used], z[used]))
     if found.alarm > _FALSE_ALARM:
         return _without_wave(y, z, used, draws, np.random.default_rng(seed))
     if not (reason := unclear(y[used], found)):
@@ -115,7 +121,7 @@ def measure_scan(y: Array, z: Array, draws: int = _DRAWS, seed: int = 0) -> Scan
         reason = unclear(y[used], found)
     if reason:
         return _unknown(reason, used)
-    fit, coarser = (ScanFit.of(y, z, used, found.wavelength * k) for k in (1.0, _COARSER))
+    fit, coarser = (ScanFit.of(y, z, used, found.wavelength, k) for k in (1.0, _COARSER))
     return _measured(fit, coarser, found, draws, np.random.default_rng(seed))
 
 
@@ -168,6 +174,13 @@ def _without_wave(
     y: Array, z: Array, used: Mask, draws: int, rng: np.random.Generator
 ) -> ScanMeasures:
     """Return what to say of a scan without a wave: flat, or a hump or step."""
+    count, least = int(used.sum()), _FINEST * LEAST_POINTS_PER_WAVELENGTH
+    if count < least:
+        return _unknown(
+            f"no wave is sure in {count} usable points; at least {least} are needed to tell that "
+            "there is none",
+            used,
+        )
     fit = ScanFit.of(y, z, used, float(y[-1] - y[0]) / _FINEST)
     height = float(np.abs(fit.heights).max())
     reached = reached_by(fit.drawn(draws, rng))

@@ -4,21 +4,24 @@ Lengths are in the unit of the scan.
 """
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
 from wrinklestudy.typing import Array, Mask
 
-LEAST_POINTS_PER_WAVELENGTH = 8
+LEAST_POINTS_PER_WAVELENGTH = 10
 LEAST_POINTS = 2 * LEAST_POINTS_PER_WAVELENGTH
 # Filters that remove noise pass this many times the wave number of the wrinkles
 HIGHEST_WAVE = 3.3
 # Points farther from their running median, or from a spline through all, than this many standard
 # deviations are spikes
 SPIKE = 5.0
-# Standard deviations that noise has at least, of the range of heights: neither the median of seven
-# points nor the spline is the profile itself
-_MEDIAN_FLOOR, SPLINE_FLOOR = 1.5e-2, 4e-3
+# Standard deviations that noise has at least, of the range of heights: neither a median of
+# neighbours nor the spline is the profile itself
+_MEDIAN_FLOORS = {3: 5e-2, 7: 1.5e-2}
+DENSE = 28  # points per wavelength, of which seven are nearly equal
+SPLINE_FLOOR = 4e-3
 # What scanners write where they lost the surface
 _LOST_VALUES = (-9999.0, -999.0, -99999.0, 9999.0, 99999.0)
 _DISTINCT = 10  # heights that a profile has at least, so that one far off is none of them
@@ -29,13 +32,16 @@ _SURE = 3.5  # a second wave is this many times as high as the noise's own waves
 _CONFUSING = 0.1  # of the height of the wrinkles: a second wave as high leaves nothing to measure
 
 
-def usable(z: Array) -> Mask:
+def usable(z: Array, window: Literal[3, 7] = 3) -> Mask:
     """Return which points are measurements: not lost, no spikes.
 
     Parameters
     ----------
     z : ndarray, shape (n,)
         Deflection from one edge to the other; NaN where the scanner lost the surface.
+    window : {3, 7}
+        Points in the running median: 7 sees runs of three spikes, where there are at least `DENSE`
+        points per wavelength.
     """
     from scipy.ndimage import median_filter
 
@@ -46,11 +52,13 @@ def usable(z: Array) -> Mask:
         return keep
     for _ in range(3):
         values = z[known]
-        rest = values - median_filter(values, size=7, mode="mirror")
+        rest = values - median_filter(values, size=window, mode="mirror")
         # Neighbours of a smooth profile differ by little: nine tenths of the points tell the noise
         spread = float(np.percentile(np.abs(rest), 90)) / 1.645
         spread = max(
-            spread, _MEDIAN_FLOOR * float(np.subtract(*np.percentile(values, [95, 5]))), 1e-300
+            spread,
+            _MEDIAN_FLOORS[window] * float(np.subtract(*np.percentile(values, [95, 5]))),
+            1e-300,
         )
         good = np.abs(rest) <= SPIKE * spread
         if good.all():
@@ -190,11 +198,15 @@ def _second_peak(number: Array, height: Array, top: int) -> int | None:
     return int(peaks[np.argmax(height[peaks])]) if len(peaks) else None
 
 
+def points_per_wavelength(y: Array, found: Waves) -> float:
+    """Return how many points there are to a wavelength, NaN if there is none."""
+    return found.wavelength / float(np.median(np.diff(y)))
+
+
 def unclear(y: Array, found: Waves) -> str:
     """Return why points cannot tell a wrinkle of a wavelength; empty if they can."""
-    steps = np.diff(y)
-    wavelength = found.wavelength
-    per_wavelength = wavelength / float(np.median(steps))
+    steps, wavelength = np.diff(y), found.wavelength
+    per_wavelength = points_per_wavelength(y, found)
     if per_wavelength < LEAST_POINTS_PER_WAVELENGTH:
         return (
             f"{per_wavelength:.1f} points per wavelength; "

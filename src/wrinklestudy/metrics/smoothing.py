@@ -12,6 +12,7 @@ from wrinklestudy.typing import Array, Mask
 _MOST_POINTS = 4000  # more are averaged in groups
 _DEGREE = 5
 _KNOTS_PER_WAVELENGTH = 6
+_POINTS_PER_KNOT = 2  # at least: fewer leave nothing that tells the noise
 _FEWEST_WAVES = 4  # that tell the power of noise
 _SAMPLES_PER_KNOT = 6
 # Of the second differences of the coefficients: carries the spline over gaps, else without effect
@@ -80,18 +81,21 @@ class Smoother:
     at_samples: Array
 
     @classmethod
-    def through(cls, y: Array, spacing: float) -> "Smoother":
-        """Return the spline whose knots are about a spacing apart.
+    def through(cls, y: Array, wavelength: float, coarser: float = 1.0) -> "Smoother":
+        """Return the spline that follows waves of a wavelength and a third of it.
 
         Parameters
         ----------
         y : ndarray, shape (n,)
             Increasing.
-        spacing : float
-            Of the knots.
+        wavelength : float
+        coarser : float
+            How many times farther the knots are apart.
         """
         from scipy.interpolate import BSpline
 
+        least = _POINTS_PER_KNOT * float(np.median(np.diff(y)))
+        spacing = coarser * max(wavelength / _KNOTS_PER_WAVELENGTH, least)
         # Rounding must not decide where the two differ by a half, as in another unit
         count = max(math.ceil(float(y[-1] - y[0]) / spacing - 1e-6), _DEGREE)
         inner = np.linspace(y[0], y[-1], count + 1)
@@ -136,7 +140,7 @@ def near_spline(y: Array, z: Array, wavelength: float) -> Mask:
     least = SPLINE_FLOOR * float(np.subtract(*np.percentile(z, [95, 5])))
     for _ in range(3):
         middle, height = grouped(y[keep], z[keep])
-        smoother = Smoother.through(middle, wavelength / _KNOTS_PER_WAVELENGTH)
+        smoother = Smoother.through(middle, wavelength)
         offset = height.mean()
         rest = z - offset - np.interp(y, smoother.samples, smoother.sampled(height - offset))
         spread = max(float(np.percentile(np.abs(rest), 90)) / 1.645, least, 1e-300)
@@ -181,11 +185,13 @@ class ScanFit:
     wavelength: float
 
     @classmethod
-    def of(cls, y: Array, z: Array, used: Mask, wavelength: float) -> "ScanFit":
-        """Return the fit to the used points of a scan."""
+    def of(
+        cls, y: Array, z: Array, used: Mask, wavelength: float, coarser: float = 1.0
+    ) -> "ScanFit":
+        """Return the fit to the used points of a scan; see `Smoother.through`."""
         y, z = y[used], z[used]
         middle, height = grouped(y, z)
-        smoother = Smoother.through(middle, wavelength / _KNOTS_PER_WAVELENGTH)
+        smoother = Smoother.through(middle, wavelength, coarser)
         mean = float(height.mean())  # the stiffness of the spline must not see the offset
         freedom = smoother.at_points.shape[1]
         residual = height - mean - smoother.fitted(height - mean)

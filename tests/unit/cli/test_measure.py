@@ -123,13 +123,13 @@ def test_lost_points_are_counted_and_change_nothing(scan, capsys):
 
 
 def test_what_cannot_be_told_is_null_with_a_reason(scan, capsys):
-    (result,) = measured(capsys, scan(points=40))
+    (result,) = measured(capsys, scan(points=60))
     assert (result["wrinkled"], result["amplitude"], result["phi_squared_error"]) == (
         False,
         None,
         None,
     )
-    assert "points per wavelength; at least 8 are needed" in result["reason"]
+    assert "points per wavelength; at least 10 are needed" in result["reason"]
 
 
 def test_noise_above_the_wrinkle_is_said(scan, capsys):

@@ -78,7 +78,14 @@ def test_too_few_points_for_a_wavelength_are_said():
     y = Y[::18]
     scan = measure_scan(y, wrinkle(y))
     assert (scan.wrinkled, scan.measures) == (False, None)
-    assert "points per wavelength; at least 8 are needed" in scan.reason
+    assert "points per wavelength; at least 10 are needed" in scan.reason
+
+
+@pytest.mark.parametrize("every", [15, 20, 30, 40])
+def test_points_too_few_to_show_a_wave_do_not_tell_that_there_is_none(every):
+    scan = measure_scan(Y[::every], wrinkle(Y[::every]))
+    assert scan.measures is None
+    assert "are needed" in scan.reason
 
 
 def test_a_gap_in_the_middle_is_said():
@@ -189,7 +196,7 @@ def test_a_constant_is_flat(value):
 def test_without_points_nothing_is_told():
     scan = measure_scan(Y, np.full(len(Y), np.nan))
     assert (scan.measures, scan.left_out) == (None, len(Y))
-    assert scan.reason == "0 usable points; at least 16 are needed"
+    assert scan.reason == "0 usable points; at least 20 are needed"
 
 
 def test_neither_unit_nor_mirror_nor_spacing_matter():

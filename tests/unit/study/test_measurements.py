@@ -233,7 +233,7 @@ def test_a_scan_that_cannot_tell_is_left_out_with_a_reason(write, caplog):
     path = write("profiles/coarse.csv", scan_text(points=40))
     assert read_scan(path) is None
     assert f"{path}: not shown: " in caplog.text
-    assert "points per wavelength; at least 8 are needed" in caplog.text
+    assert "points per wavelength; at least 10 are needed" in caplog.text
 
 
 def test_the_stated_error_of_a_scan_is_in_its_own_unit_and_the_larger_one_counts(write):
