@@ -54,7 +54,7 @@ def test_birth_and_decay_lie_on_curve_and_thickness():
     tau = 5e-3 * np.sqrt(strains * (0.5 - strains))
     birth, decay = 0.25 - np.sqrt(0.0625 - 0.04), 0.25 + np.sqrt(0.0625 - 0.04)
     table = tuple(zip(strains.tolist(), tau.tolist(), strict=True))
-    found = Stability(1e-3, birth, decay, tau.max(), 0.24, 0.5, table)
+    found = Stability(1e-3, birth, decay, ((birth, decay),), tau.max(), 0.24, 0.5, "", table)
     axes = draw_stability(MM, found).axes[0]
     line, curve = axes.lines[0].get_xdata(), axes.lines[0].get_ydata()
     np.testing.assert_allclose(curve, 0.7 * np.sqrt(line * (0.5 - line)), atol=0.004)
@@ -63,7 +63,7 @@ def test_birth_and_decay_lie_on_curve_and_thickness():
 
 
 def test_a_sheet_that_never_wrinkles_has_no_marks():
-    found = Stability(2e-3, None, None, 1e-3, 0.2, 0.5, ((0.2, 1e-3), (0.5, 5e-4)))
+    found = Stability(2e-3, None, None, (), 1e-3, 0.2, 0.5, "", ((0.2, 1e-3), (0.5, 5e-4)))
     axes = draw_stability(RATIOS, found).axes[0]
     assert [line for line in axes.lines if len(line.get_xdata()) == 1] == []
     assert axes.get_ylim()[1] > 2.0
