@@ -178,12 +178,14 @@ def _root(
     from scipy.interpolate import PchipInterpolator
     from scipy.optimize import brentq
 
+    guess = np.inf
     for _ in range(_MAX_EVALUATIONS):
         # tau_1^2 is smooth, at zero too: the root of its interpolant joins the table
         strains = np.array(sorted(table))
         values = np.array([table[e] for e in strains])
+        last = guess
         guess = float(brentq(PchipInterpolator(strains, values**2 - thickness**2), low, high))
-        if np.abs(strains - guess).min() < tolerance(guess):
+        if abs(guess - last) < tolerance(guess) or guess in table:
             return guess
         try:
             table[guess] = curve(guess)
