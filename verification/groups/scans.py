@@ -22,6 +22,7 @@ from wrinklestudy.typing import AnyPath
 LEAST = 0.9  # of the trials have the true value within two stated standard errors
 QUICK_LEAST = 0.8  # of the few trials of the quick checks, of which chance takes some
 TIMES = 3.0  # the spread of white noise that the median stated error may be
+SPIKES = 2.0  # times that the error of A may be with spikes
 FEWEST = 0.02  # of the trials may be refused or taken for noise
 SYMBOLS = dict(zip(QUANTITIES, ("A", "lambda", "Phi^2"), strict=True))
 
@@ -57,6 +58,17 @@ def _size_checks(of: Sequence[Trial]) -> list[Check]:
             case = f"white noise, ratio {ratio:g}: median error of {SYMBOLS[name]} over deviation"
             checks.append(Check(case, stated / actual, TIMES, 0.0, "at most", reason))
     return checks
+
+
+def _spike_check(of: Sequence[Trial]) -> Check:
+    """Return whether spikes leave the stated errors as they are without them."""
+    with_spikes, without = (
+        np.nanmedian([trial.errors[0] for trial in of if trial.condition == condition])
+        for condition in ("spikes", "white noise")
+    )
+    reason = "spikes are left out: they neither move A nor widen its error"
+    name = "median error of A with spikes over that of white noise"
+    return Check(name, float(with_spikes / without), SPIKES, 0.0, "at most", reason)
 
 
 def refused(of: Sequence[Trial]) -> float:
@@ -108,7 +120,7 @@ def _plot(of: Sequence[Trial], path: Path) -> None:
 def quick() -> list[Check]:
     """Return the checks of few trials on the profiles of one strain."""
     few = trials(computed((STRAINS[1],)), RATIOS[1:], (POINTS[1],))
-    return _coverage_checks(few, QUICK_LEAST)
+    return [*_coverage_checks(few, QUICK_LEAST), _spike_check(few)]
 
 
 def verdict(covered: Sequence[float], missed: float) -> str:
@@ -135,6 +147,7 @@ def run(output: AnyPath) -> None:
     checks = [
         *_coverage_checks(all_trials, LEAST),
         *_size_checks(all_trials),
+        _spike_check(all_trials),
         Check("part without wrinkles told", missed, FEWEST, 0.0, "at most", reason),
     ]
     caption = "Deviation from the true value over the stated standard error; grey: within two."
