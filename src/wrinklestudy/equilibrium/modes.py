@@ -182,7 +182,7 @@ def spectrum(
     trial = min(_FIRST_TRIAL, max(_TRIAL_OVER_ROOT * abs(flat.strain) ** 0.5, _SMALLEST_TRIAL))
     trial = _trial(forms, near or trial, _TRIAL_GROWTH if near is None else _NEAR_GROWTH)
     least = max(_SMALLEST_PART * trial / _LOOSEST_TRIAL, _SMALLEST_THICKNESS)
-    unstable = count_negative_eigenvalues(forms.shifted(least**2))
+    unstable = 1 if count == 1 else count_negative_eigenvalues(forms.shifted(least**2))
     squared, vectors = _eigen(forms, min(count, unstable), trial)
     kept = squared >= _SMALLEST_PART**2 * squared[0]
     shapes = np.zeros((kept.sum(), flat.space.size))
@@ -201,7 +201,7 @@ def critical_thickness(
     Modes of the corners are passed over; zero where no thickness wrinkles. See `spectrum` for the
     parameters and errors.
     """
-    count = 2
+    count = 2 if near is None else 1  # a good bound sets even one mode well apart
     while True:
         squared, _, corner = spectrum(flat, bending, symmetry, count, near)
         wrinkles = squared[corner < CORNER_PART]

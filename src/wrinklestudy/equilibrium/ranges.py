@@ -67,10 +67,16 @@ def search(
     thickness: float,
     known: Sequence[tuple[float, float]],
     survey: Sequence[float],
+    near: float = 0.0,
 ) -> Stability:
     """Return birth, decay and maximum from values of one curve.
 
-    See `stability.find` for the parameters and errors.
+    See `stability.find` for the other parameters and the errors.
+
+    Parameters
+    ----------
+    near : float
+        How near to a known strain, in tolerances, a root need not be computed.
     """
     table = {0.0: 0.0, **dict(known)}
     reason = _survey(curve, table, survey) if len(table) < 4 else ""
@@ -79,7 +85,7 @@ def search(
         for strain in inner_extrema(table, sign):
             if low * thickness <= table[strain] <= high * thickness:
                 refine(curve, table, strain, sign)
-    ranges = _ranges(curve, table, thickness)
+    ranges = _ranges(curve, table, thickness, near)
     for strain in inner_extrema(table, 1.0):
         if table[strain] >= _NEAR * max(table.values()) > 0.0:
             refine(curve, table, strain, 1.0)
@@ -146,12 +152,12 @@ def _beyond(table: dict[float, float], thickness: float) -> list[float]:
 
 
 def _ranges(
-    curve: Callable[[float], float], table: dict[float, float], thickness: float
+    curve: Callable[[float], float], table: dict[float, float], thickness: float, near: float
 ) -> tuple[tuple[float, float | None], ...]:
     """Return the ranges of strain in which a table exceeds a thickness, their ends as roots."""
     strains = sorted(table)
     roots: list[float | None] = [
-        _root(curve, table, thickness, low, high)
+        _root(curve, table, thickness, low, high, near)
         for low, high in pairwise(strains)
         if (table[low] > thickness) != (table[high] > thickness)
     ]
@@ -167,8 +173,11 @@ def _root(
     thickness: float,
     low: float,
     high: float,
+    near: float,
 ) -> float:
     """Return the root of tau_1 = t in a bracket; every value computed is put into the table.
+
+    See `search` for `near`.
 
     Raises
     ------
@@ -185,7 +194,8 @@ def _root(
         values = np.array([table[e] for e in strains])
         last = guess
         guess = float(brentq(PchipInterpolator(strains, values**2 - thickness**2), low, high))
-        if abs(guess - last) < tolerance(guess) or guess in table:
+        nearest = np.abs(strains - guess).min()
+        if abs(guess - last) < tolerance(guess) or nearest <= near * tolerance(guess):
             return guess
         try:
             table[guess] = curve(guess)

@@ -103,7 +103,7 @@ def find(
 def _find_guided(scaled: ScaledCurve, thickness: float, survey: Sequence[float]) -> Stability:
     """Return birth, decay and maximum of a curve from its guide, corrected where they lie."""
     for _ in range(_MAX_PASSES):
-        limits = search(scaled, thickness, scaled.known(), survey)
+        limits = search(scaled, thickness, scaled.known(), survey, near=1.0)
         wanted = _wanted(limits, scaled)
         if not wanted:
             break
