@@ -70,14 +70,18 @@ class MembraneProblem:
     Parameters
     ----------
     space : Space
-    law : Law
+    law : MetricEnergy
     prescribed : (2, size) array
         A position; its values at the dofs that are not free hold.
     symmetry : Symmetry
     """
 
     def __init__(
-        self, space: Space, law: Law, prescribed: Array, symmetry: Symmetry = QUARTER
+        self,
+        space: Space,
+        law: membrane.MetricEnergy,
+        prescribed: Array,
+        symmetry: Symmetry = QUARTER,
     ) -> None:
         self.law = law
         self.prescribed = prescribed

@@ -1,9 +1,20 @@
 """Energy of a flat sheet that is stretched in its plane: density, gradient and Hessian."""
 
+from typing import Protocol
+
 import numpy as np
 
-from wrinklestudy.mechanics.laws import Law
 from wrinklestudy.typing import Array
+
+
+class MetricEnergy(Protocol):
+    """An energy of the in-plane metric: a law, or its relaxed form."""
+
+    def energy(self, metric: Array) -> Array:
+        """Return the strain energy per reference volume, shape ``(...)``."""
+
+    def derivatives(self, metric: Array) -> tuple[Array, Array]:
+        """Return dW/dg of shape ``(3, ...)`` and d2W/dg2 of shape ``(3, 3, ...)``."""
 
 
 def _metric(derivatives: Array) -> Array:
@@ -11,17 +22,17 @@ def _metric(derivatives: Array) -> Array:
     return np.stack([(p * p).sum(axis=0), (q * q).sum(axis=0), (p * q).sum(axis=0)])
 
 
-def energy(law: Law, derivatives: Array) -> Array:
+def energy(law: MetricEnergy, derivatives: Array) -> Array:
     """Return W(a) of a flat sheet from x,1 and x,2 of the in-plane position, (2, 2, ...)."""
     return law.energy(_metric(derivatives))
 
 
-def force(law: Law, derivatives: Array) -> Array:
+def force(law: MetricEnergy, derivatives: Array) -> Array:
     """Return dW/da of a flat sheet, (3, ...)."""
     return law.derivatives(_metric(derivatives))[0]
 
 
-def stiffness(law: Law, derivatives: Array) -> Array:
+def stiffness(law: MetricEnergy, derivatives: Array) -> Array:
     """Return d2W/da2 of a flat sheet, (3, 3, ...)."""
     return law.derivatives(_metric(derivatives))[1]
 
@@ -40,13 +51,13 @@ def gradient(stress: Array, derivatives: Array) -> Array:
     return np.stack([2.0 * stress[0] * p + stress[2] * q, 2.0 * stress[1] * q + stress[2] * p])
 
 
-def expansion(law: Law, derivatives: Array) -> tuple[Array, Array, list[Array]]:
+def expansion(law: MetricEnergy, derivatives: Array) -> tuple[Array, Array, list[Array]]:
     """Return energy, gradient and Hessian of the sheet per unit of thickness.
 
     Parameters
     ----------
-    law : Law
-        Dimensionless material law.
+    law : MetricEnergy
+        Dimensionless material law, or its relaxed form.
     derivatives : (2, 2, ...) array
         x,1 and x,2 of the in-plane position.
 
