@@ -17,7 +17,7 @@ def finished_beyond(project, tmp_path_factory):
     return study
 
 
-def test_the_page_shows_every_figure_of_its_sections_and_judges_what_it_can(finished_beyond):
+def test_the_page_shows_every_figure(finished_beyond):
     page = (finished_beyond.folder / "results/beyond_quick/claims/claims.md").read_text()
     figures = finished_beyond.folder / "figures" / "beyond_quick"
     shown = re.findall(r"\]\(beyond/(\w+\.png)\)", page)

@@ -1,0 +1,202 @@
+"""Item 5: wavelength and length of the wrinkles against thickness, strain and length."""
+
+import numpy as np
+
+from wrinklestudy.results.sheets import MissingError
+from wrinklestudy.studies.beyond.lengths import Lengths, lengths
+from wrinklestudy.studies.beyond.power_law import PowerLaw, power_law
+from wrinklestudy.studies.panaitescu2019 import theory
+from wrinklestudy.study.claims.finding import Finding, Value, claim, verdict_of
+from wrinklestudy.study.claims.tables import StudyTables
+
+CLOSE = 0.1  # of the wavelength
+HALF, QUARTER = 0.5, -0.25  # exponents of thickness and strain
+OFF = 0.05  # of an exponent
+NEO_HOOKEAN = "latex-nh"
+ENDS = 0.1  # X/L beyond which the highest wrinkle is not in the middle
+
+
+def of_the_rubber(study: StudyTables) -> Lengths:
+    """Return the lengths of all wrinkled sheets of the paper's rubber."""
+    return lengths(sheet for sheet in study.sheets if sheet.material == study.wanted[0])
+
+
+def _ranges(found: Lengths) -> str:
+    def span(values: np.ndarray) -> str:
+        return f"{values.min():g} to {values.max():g}"
+
+    return (
+        f"{len(found.strain)} states, L/W = {span(found.aspect)}, t/W = {span(found.thickness)}, "
+        f"ε = {span(found.strain)}"
+    )
+
+
+def wavelength_law(found: Lengths, material: bool) -> PowerLaw:
+    """Return lambda as a power law of t/W, eps and L/W, deformed or on the undeformed sheet.
+
+    Raises
+    ------
+    MissingError
+        If there are too few states.
+    """
+    bases = {"thickness": found.thickness, "strain": found.strain, "aspect": found.aspect}
+    varied = {name: base for name, base in bases.items() if np.ptp(base) > 0.0}
+    if len(found.strain) < len(varied) + 2 or not varied:
+        raise MissingError("enough wrinkled states for the exponents of the wavelength")
+    return power_law(found.material_wavelength if material else found.wavelength, **varied)
+
+
+def _exponents(law: PowerLaw) -> str:
+    symbols = {"thickness": "t", "strain": "ε", "aspect": "L"}
+    return ", ".join(f"{symbols[name]}: {e.text}" for name, e in law.exponents.items())
+
+
+def _values(law: PowerLaw, what: str) -> list[Value]:
+    return [
+        value
+        for name, exponent in law.exponents.items()
+        for value in (
+            Value(f"exponent of the {name}, {what}", exponent.value),
+            Value("half of its 95% interval", exponent.error, digits=2),
+        )
+    ]
+
+
+@claim(
+    order=(5, 0, 1),
+    place="all wrinkled sheets of the paper's rubber",
+    statement="The wavelength goes as the square root of the thickness and falls as the fourth "
+    "root of the strain.",
+    tolerance=f"exponents of t/W and ε within {OFF:g} of {HALF:g} and {QUARTER:g}, on the deformed "
+    "sheet",
+)
+def wavelength_exponents(study: StudyTables) -> Finding:
+    """Fit the wavelength on the deformed and on the undeformed sheet."""
+    found = of_the_rubber(study)
+    deformed, material = (wavelength_law(found, coordinates) for coordinates in (False, True))
+    if not {"thickness", "strain"} <= deformed.exponents.keys():
+        raise MissingError("wrinkled states of two thicknesses and two strains")
+    p, q = (deformed.exponents[name].value for name in ("thickness", "strain"))
+    return Finding(
+        verdict_of(abs(p - HALF) <= OFF and abs(q - QUARTER) <= OFF),
+        (*_values(deformed, "deformed"), *_values(material, "undeformed")),
+        f"Over {_ranges(found)}: exponents on the deformed sheet {_exponents(deformed)}; on the "
+        f"undeformed sheet {_exponents(material)}. A power law leaves {deformed.scatter:.1%} and "
+        f"{material.scatter:.1%} of the wavelength.",
+    )
+
+
+@claim(
+    order=(5, 0, 2),
+    place="neo-Hookean sheet, L/W = 2.5",
+    statement="Published slopes of the wavelength of neo-Hookean sheets are those on the "
+    "undeformed sheet.",
+    reading="The exponent of the strain is nearer to -1/4 on the undeformed sheet.",
+    tolerance=f"on the undeformed sheet within {OFF:g} of {QUARTER:g}, and nearer than on the "
+    "deformed one",
+)
+def coordinates_of_the_wavelength(study: StudyTables) -> Finding:
+    """Compare the exponent of the strain in both coordinates."""
+    sheets = [sheet for sheet in study.sheets if sheet.material == NEO_HOOKEAN]
+    found = lengths(sheets)
+    deformed, material = (
+        wavelength_law(found, coordinates).exponents["strain"] for coordinates in (False, True)
+    )
+    off, nearer = abs(material.value - QUARTER), abs(deformed.value - QUARTER)
+    return Finding(
+        verdict_of(off <= OFF and off < nearer),
+        (
+            Value("exponent of the strain, deformed", deformed.value),
+            Value("half of its 95% interval", deformed.error, digits=2),
+            Value("exponent of the strain, undeformed", material.value),
+            Value("half of its 95% interval, undeformed", material.error, digits=2),
+        ),
+        f"Over {_ranges(found)} the exponent is {deformed.text} on the deformed sheet and "
+        f"{material.text} on the undeformed one.",
+        sheets=tuple(sheets),
+    )
+
+
+@claim(
+    order=(5, 0, 3),
+    place="all wrinkled sheets of the paper's rubber",
+    statement="The Cerda-Mahadevan wavelength with the paper's factor holds at every length and "
+    "thickness.",
+    reading=f"{theory.WAVELENGTH_FACTOR:g} sqrt(2 π L t) / [3 (1 - ν²) ε]^(1/4) with ν = 1/2.",
+    tolerance=f"within {CLOSE:.0%} of the computed wavelength of every state",
+)
+def scaled_wavelength_everywhere(study: StudyTables) -> Finding:
+    """Compare every wavelength with the scaled equation."""
+    found = of_the_rubber(study)
+    off = 1.0 / found.against_theory - 1.0
+    worst = int(np.argmax(np.abs(off)))
+    holds = np.abs(off) <= CLOSE
+    by_length = {
+        aspect: float(off[found.aspect == aspect].mean()) for aspect in np.unique(found.aspect)
+    }
+    where = ", ".join(f"{mean:+.0%} at L/W = {aspect:g}" for aspect, mean in by_length.items())
+    return Finding(
+        verdict_of(bool(holds.all())),
+        (
+            Value("states within the tolerance", int(holds.sum())),
+            Value("of", len(holds)),
+            Value("largest deviation of the equation", float(off[worst])),
+            *(Value(f"mean deviation at L/W = {a:g}", mean) for a, mean in by_length.items()),
+        ),
+        f"The equation is within {CLOSE:.0%} for {int(holds.sum())} of {len(holds)} states and "
+        f"farthest off, {off[worst]:+.0%}, at {found.text(worst)}. On average it is off by "
+        f"{where}.",
+    )
+
+
+@claim(
+    order=(5, 0, 4),
+    place="all wrinkled sheets of the paper's rubber",
+    statement="The length of the wrinkles is a fixed fraction of that of the sheet.",
+    reading="l ~ L^α W^(1-α), with l the length along the pull over which the wrinkles are above "
+    "half of their height; α = 1 is what the Cerda-Mahadevan equation takes, and the paper leaves "
+    "α open.",
+    tolerance="1 lies within the 95% interval of α, on the undeformed sheet",
+)
+def wrinkles_as_long_as_the_sheet(study: StudyTables) -> Finding:
+    """Fit the length of the wrinkles against L/W, thickness and strain."""
+    found = of_the_rubber(study)
+    bases = {"aspect": found.aspect, "thickness": found.thickness, "strain": found.strain}
+    varied = {name: base for name, base in bases.items() if np.ptp(base) > 0.0}
+    if "aspect" not in varied or len(found.strain) < len(varied) + 2:
+        raise MissingError("wrinkled states of enough lengths L/W")
+    material = power_law(found.material_envelope, **varied)
+    deformed = power_law(found.envelope, **varied)
+    alpha, other = material.exponents["aspect"], deformed.exponents["aspect"]
+    share = found.material_envelope / found.aspect
+    return Finding(
+        verdict_of(alpha.covers(1.0)),
+        (*_values(material, "undeformed"), *_values(deformed, "deformed")),
+        f"Over {_ranges(found)}: α = {alpha.text} on the undeformed sheet, {other.text} on the "
+        f"deformed one; exponents {_exponents(material)}. l is {share.min():.2f} to "
+        f"{share.max():.2f} of L. A power law leaves {material.scatter:.1%} of l.",
+    )
+
+
+@claim(
+    order=(5, 0, 5),
+    place="all wrinkled sheets of the paper's rubber",
+    statement="The wrinkles are highest in the middle of the sheet.",
+    tolerance=f"the highest wrinkle of every state within {ENDS:g} L of the middle",
+)
+def highest_in_the_middle(study: StudyTables) -> Finding:
+    """Look where along the pull the highest wrinkle is."""
+    found = of_the_rubber(study)
+    middle = found.place <= ENDS
+    apart = np.unique(found.aspect[~middle])
+    where = ", ".join(f"{aspect:g}" for aspect in apart)
+    return Finding(
+        verdict_of(bool(middle.all())),
+        (
+            Value("states with the highest wrinkle in the middle", int(middle.sum())),
+            Value("of", len(middle)),
+            Value("largest |X|/L of a highest wrinkle", float(found.place.max())),
+        ),
+        f"In {int(middle.sum())} of {len(middle)} states"
+        + (f"; not at L/W = {where}, with a zone towards each clamp." if len(apart) else "."),
+    )

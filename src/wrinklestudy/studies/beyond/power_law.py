@@ -1,0 +1,91 @@
+"""Power laws through computed numbers, with how well a power law describes them."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from wrinklestudy.typing import Array
+
+# Two-sided confidence of the intervals.
+CONFIDENCE = 0.95
+
+
+@dataclass(frozen=True)
+class Exponent:
+    """An exponent with the half-width of its interval."""
+
+    value: float
+    error: float
+
+    def covers(self, number: float) -> bool:
+        """Whether a number lies in the interval."""
+        return abs(number - self.value) <= self.error
+
+    @property
+    def text(self) -> str:
+        """Value and half-width."""
+        return f"{self.value:.3f} ± {self.error:.3f}"
+
+
+@dataclass(frozen=True)
+class PowerLaw:
+    """value = factor x product of base^exponent.
+
+    Parameters
+    ----------
+    factor : float
+    exponents : dict of Exponent
+        By name of the base.
+    scatter : float
+        Root mean square of the residuals of the logarithm, with the degrees of freedom left.
+    count : int
+        Numbers that it goes through.
+    """
+
+    factor: float
+    exponents: dict[str, Exponent]
+    scatter: float
+    count: int
+
+    def at(self, **bases: Array | float) -> Array:
+        """Return the power law at some bases."""
+        product = np.asarray(self.factor, dtype=np.float64)
+        for name, exponent in self.exponents.items():
+            product = product * np.asarray(bases[name], dtype=np.float64) ** exponent.value
+        return product
+
+
+def power_law(value: Array, **bases: Array) -> PowerLaw:
+    """Fit log value linearly in the logarithms of the bases by least squares.
+
+    What is fitted is computed and has no noise: the intervals (Student's t) measure how far the
+    numbers are from a power law over their range, not a scatter of repeated measurements.
+
+    Parameters
+    ----------
+    value : ndarray, shape (n,)
+        Positive; n is larger than the number of bases plus one.
+    **bases : ndarray, shape (n,)
+        Positive, each with at least two values.
+
+    Raises
+    ------
+    ValueError
+        If there are too few numbers.
+    """
+    from scipy.stats import t
+
+    names = list(bases)
+    free = len(value) - len(names) - 1
+    if free < 1:
+        raise ValueError(f"{len(value)} numbers: a power law of {len(names)} bases needs more")
+    design = np.column_stack([np.ones(len(value)), *(np.log(bases[name]) for name in names)])
+    solution, *_ = np.linalg.lstsq(design, np.log(value), rcond=None)
+    residual = np.log(value) - design @ solution
+    variance = float(residual @ residual) / free
+    spread = np.sqrt(variance * np.diag(np.linalg.inv(design.T @ design)))
+    half = float(t.ppf(0.5 + 0.5 * CONFIDENCE, free)) * spread
+    exponents = {
+        name: Exponent(float(solution[k]), float(half[k])) for k, name in enumerate(names, 1)
+    }
+    return PowerLaw(float(np.exp(solution[0])), exponents, float(np.sqrt(variance)), len(value))
