@@ -31,9 +31,9 @@ _FIGURES = (
         name="rubber",
         title="birth, decay and height against the constants of the rubber",
         caption="Left: birth and decay strain and largest amplitude against C01/C10, with the "
-        "curves through computed ratios, ratios left out of them (open), and the ratios that two "
-        "fits to the same rubber allow. Right: the same for Saint Venant-Kirchhoff sheets against "
-        "Poisson's ratio.",
+        "curves through computed ratios, ratios left out of them (open), the ratios that two fits "
+        "to one rubber allow, and a measured decay strain of the paper's sheet with its error. "
+        "Right: the same for Saint Venant-Kirchhoff sheets against Poisson's ratio.",
         part=_RUBBER,
         module=f"{_HERE}.figures.rubber",
         sheets=rubbers,

@@ -16,6 +16,8 @@ NUMBERS: Mapping[str, str] = {
     "decay strain": "decay_strain",
     "largest A/t": "max_amplitude_over_thickness",
 }
+# Error of a measured decay strain, absolute: the step between the strains of an experiment.
+MEASURED = 0.02
 SAMPLES = 20000
 SEED = 20190503
 _PERCENTILES = (2.5, 50.0, 97.5)

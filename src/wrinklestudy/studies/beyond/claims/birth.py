@@ -83,7 +83,7 @@ def one_mesh_for_birth(study: StudyTables) -> Finding:
             Value(f"largest difference, {k}. finer mesh", number, digits=2)
             for k, number in enumerate(off, 1)
         ),
-        f"The critical thickness changes by at most {max(off):.2%} on {len(off)} finer meshes; "
+        f"The critical thickness changes by at most {max(off):.2%} on finer meshes ({len(off)}); "
         f"the birth strain at a thickness by twice that, {2.0 * max(off):.2%}, the error of the "
         "numbers above. These meshes have more cells across, as many along.",
         sheets=(study.sheet,),

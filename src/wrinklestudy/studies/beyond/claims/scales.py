@@ -13,6 +13,7 @@ CLOSE = 0.1  # of the wavelength
 HALF, QUARTER = 0.5, -0.25  # exponents of thickness and strain
 OFF = 0.05  # of an exponent
 NEO_HOOKEAN = "latex-nh"
+_SYMBOLS = {"thickness": "t", "strain": "ε", "aspect": "L", "length": "l"}
 ENDS = 0.1  # X/L beyond which the highest wrinkle is not in the middle
 
 
@@ -47,8 +48,7 @@ def wavelength_law(found: Lengths, material: bool) -> PowerLaw:
 
 
 def _exponents(law: PowerLaw) -> str:
-    symbols = {"thickness": "t", "strain": "ε", "aspect": "L"}
-    return ", ".join(f"{symbols[name]}: {e.text}" for name, e in law.exponents.items())
+    return ", ".join(f"{_SYMBOLS[name]}: {e.text}" for name, e in law.exponents.items())
 
 
 def _values(law: PowerLaw, what: str) -> list[Value]:
@@ -56,8 +56,8 @@ def _values(law: PowerLaw, what: str) -> list[Value]:
         value
         for name, exponent in law.exponents.items()
         for value in (
-            Value(f"exponent of the {name}, {what}", exponent.value),
-            Value("half of its 95% interval", exponent.error, digits=2),
+            Value(f"exponent of {_SYMBOLS[name]}, {what}", exponent.value),
+            Value(f"half of its 95% interval, {_SYMBOLS[name]}, {what}", exponent.error, digits=2),
         )
     ]
 
@@ -199,4 +199,37 @@ def highest_in_the_middle(study: StudyTables) -> Finding:
         ),
         f"In {int(middle.sum())} of {len(middle)} states"
         + (f"; not at L/W = {where}, with a zone towards each clamp." if len(apart) else "."),
+    )
+
+
+@claim(
+    order=(5, 0, 6),
+    place="all wrinkled sheets of the paper's rubber",
+    statement="The wavelength follows the length of the wrinkles rather than that of the sheet: "
+    "it goes as the square root of l.",
+    reading="λ ~ l^(1/2) t^(1/2) ε^(-1/4), the balance of bending and tension over l in place of "
+    "L.",
+    tolerance=f"exponent of l within {OFF:g} of {HALF:g}, and a power law of l leaves less than "
+    "one of L",
+)
+def wavelength_follows_the_wrinkles(study: StudyTables) -> Finding:
+    """Fit the wavelength with the length of the wrinkles in place of that of the sheet."""
+    found = of_the_rubber(study)
+    if len(found.strain) < 5 or np.ptp(found.aspect) == 0.0 or np.ptp(found.thickness) == 0.0:
+        raise MissingError("wrinkled states of two lengths and two thicknesses")
+    shared = {"thickness": found.thickness, "strain": found.strain}
+    of_sheet = power_law(found.wavelength, aspect=found.aspect, **shared)
+    of_wrinkles = power_law(found.wavelength, length=found.envelope, **shared)
+    exponent = of_wrinkles.exponents["length"]
+    holds = abs(exponent.value - HALF) <= OFF and of_wrinkles.scatter < of_sheet.scatter
+    return Finding(
+        verdict_of(holds),
+        (
+            *_values(of_wrinkles, "deformed"),
+            Value("left by a power law of l, over λ", of_wrinkles.scatter, digits=2),
+            Value("left by a power law of L, over λ", of_sheet.scatter, digits=2),
+        ),
+        f"Over {_ranges(found)}: exponents {_exponents(of_wrinkles)}. That leaves "
+        f"{of_wrinkles.scatter:.1%} of the wavelength, a power law of L in place of l "
+        f"{of_sheet.scatter:.1%} (exponent of L {of_sheet.exponents['aspect'].text}).",
     )

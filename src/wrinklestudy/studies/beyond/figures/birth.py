@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullFormatter
 
 from wrinklestudy.studies.beyond.thresholds import LINEAR, by_mesh
 from wrinklestudy.study.figures import style
@@ -41,6 +42,7 @@ def draw(inputs: Inputs) -> Figure:
         left.loglog(threshold.thickness, threshold.strain, look.marker, **points)
         reduced = threshold.strain / law.at(thickness=threshold.thickness)
         right.semilogx(threshold.thickness, reduced, look.marker, **points)
+    right.xaxis.set_minor_formatter(NullFormatter())
     left.set_xlabel("$t/W$")
     left.set_ylabel(r"birth strain $\varepsilon_c$")
     right.set_xlabel("$t/W$")

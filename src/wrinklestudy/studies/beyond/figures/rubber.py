@@ -5,11 +5,17 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from wrinklestudy.results.sheets import MissingError, SheetStates
-from wrinklestudy.studies.beyond.rubber import curves, interval, sampled_shares, share
+from wrinklestudy.studies.beyond.rubber import (
+    MEASURED,
+    curves,
+    interval,
+    sampled_shares,
+    share,
+)
 from wrinklestudy.studies.beyond.selections import CHECK, POISSON, RATIO, named
 from wrinklestudy.study.figures import style
 from wrinklestudy.study.figures.inputs import Inputs
-from wrinklestudy.study.figures.style import BLUE, GREEN, ORANGE, PURPLE, VERMILLION
+from wrinklestudy.study.figures.style import BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILLION
 
 _TICKS = np.array([0.0, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0])
 _FITS = {"treloar": (GREEN, "fit, all modes"), "treloar-uniaxial": (ORANGE, "fit, uniaxial")}
@@ -24,6 +30,9 @@ def draw(inputs: Inputs) -> Figure:
     others = named(inputs.series, POISSON)
     own = [sheet for sheet in inputs.series if sheet not in [*given, *others]]
     _ratios(top, low, inputs, [*given, *own])
+    for sheet in own:
+        ends = (sheet.decay - MEASURED, sheet.decay + MEASURED)
+        top.axhspan(*ends, color=SKY, alpha=0.35, lw=0.5, label=f"decay measured to {MEASURED:g}")
     _fits(top, low, inputs)
     pairs = sorted(
         ((inputs.material(sheet.material).law.poisson, sheet) for sheet in others),
@@ -34,7 +43,7 @@ def draw(inputs: Inputs) -> Figure:
     top.set_ylim(bottom=0.0)
     low.set_ylabel(r"$\max_\varepsilon A/t$")
     low.set_ylim(bottom=0.0)
-    style.grow(figure, style.legend_above(top, columns=4))
+    style.grow(figure, style.legend_above(top, first=("decay", "birth"), columns=3))
     return figure
 
 

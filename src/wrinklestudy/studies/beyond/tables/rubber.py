@@ -28,7 +28,9 @@ def table(study: StudyTables) -> ExtraTable:
     """Return a row for each rubber of the size of the figure sheet."""
     sheets = [s for s in size_of(study) if s.material in study.given]
     own = [s for s in size_of(study) if s.material == study.wanted[0]]
-    rows = [_row(study, sheet) for sheet in [*own, *named(sheets, RATIO, CHECK, POISSON)]]
+    ratios = [_row(study, sheet) for sheet in [*own, *named(sheets, RATIO, CHECK)]]
+    others = [_row(study, sheet) for sheet in named(sheets, POISSON)]
+    rows = [*sorted(ratios, key=lambda row: row[1]), *sorted(others, key=lambda row: row[2])]
     cells = tuple(
         tuple(
             value if isinstance(value, str) else number(value, form, missing="")
