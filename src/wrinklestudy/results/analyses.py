@@ -1,5 +1,6 @@
 """The tables and files of the stages that are analyses, as figures and claims read them."""
 
+import math
 from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
 from pathlib import Path
@@ -49,7 +50,8 @@ def input_name(stage: str, output: str) -> str:
 def joined_table(paths: Sequence[AnyPath]) -> "pd.DataFrame":
     """Return the tables of all jobs of an analysis as one, in the order of the files.
 
-    Numbers keep all their digits; an empty cell is NaN.
+    Columns whose cells are all numbers or empty are of numbers, with all their digits; an empty
+    cell is NaN there.
 
     Raises
     ------
@@ -61,8 +63,14 @@ def joined_table(paths: Sequence[AnyPath]) -> "pd.DataFrame":
     tables = []
     for path in paths:
         try:
-            tables.append(pd.read_csv(path, float_precision="round_trip"))
+            tables.append(pd.read_csv(path, dtype=str, na_filter=False))
         except (pd.errors.ParserError, pd.errors.EmptyDataError, UnicodeDecodeError) as error:
             message = str(error).strip().splitlines()[-1]
             raise ValueError(f"{fspath(path)}: is not a table ({message})") from None
-    return pd.concat(tables, ignore_index=True)
+    joined = pd.concat(tables, ignore_index=True)
+    for name in joined:
+        try:  # pandas itself may lose the last digit
+            joined[name] = [float(text) if text else math.nan for text in joined[name]]
+        except ValueError:
+            continue
+    return joined
