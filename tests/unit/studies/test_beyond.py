@@ -12,7 +12,7 @@ from wrinklestudy.results.sheets import MissingError
 from wrinklestudy.studies.beyond import CATALOGUE, rubber
 from wrinklestudy.studies.beyond.claims.scales import wavelength_law
 from wrinklestudy.studies.beyond.lengths import lengths
-from wrinklestudy.studies.beyond.power_law import power_law
+from wrinklestudy.studies.beyond.power_law import line, power_law
 from wrinklestudy.studies.beyond.rubber import Curves, curves, interval, sampled_shares, share
 from wrinklestudy.studies.beyond.thresholds import largest_difference, threshold
 from wrinklestudy.study.claims.discovery import load_claims
@@ -45,6 +45,14 @@ def test_the_interval_of_an_exponent_holds_the_truth_in_95_of_100_fits():
 def test_a_power_law_needs_more_numbers_than_unknowns():
     with pytest.raises(ValueError, match="2 numbers"):
         power_law(np.array([1.0, 2.0]), a=np.array([1.0, 3.0]))
+
+
+def test_a_line_comes_back_without_an_error():
+    base = np.array([2.0, 3.0, 5.0, 8.0])
+    found = line(0.9 * base - 1.2, base)
+    assert (found.slope.value, found.offset.value) == pytest.approx((0.9, -1.2))
+    assert found.at(base) == pytest.approx(0.9 * base - 1.2)
+    assert max(found.slope.error, found.offset.error, found.scatter) < 1e-10
 
 
 def test_the_share_of_the_second_constant_tells_the_ratio_whatever_the_modulus():
@@ -139,7 +147,7 @@ DECAYS = {name: 0.26 + 0.14 / 0.82 * r / (1.0 + r) for name, r in RUBBERS.items(
 POISSON = {"svk-00": 0.0, "svk-30": 0.3, "svk-50": 0.5}
 
 
-def study(decays=(), **base):
+def study(decays=(), length=lambda a: 0.6 * a, **base):
     """The made-up study of the paper with rubbers of other constants."""
     decays = DECAYS | dict(decays)
     sheets = [sheet(material=name, decay=decays[name], **base) for name in RUBBERS]
@@ -148,8 +156,8 @@ def study(decays=(), **base):
         for name, nu in POISSON.items()
     ]
     sheets += [
-        sheet(aspect=a, thickness=t, envelope_length_over_width=0.6 * a, **ENVELOPE)
-        for a, t in ((2.2, 1e-3), (2.6, 1e-3), (2.2, 5e-4))
+        sheet(aspect=a, thickness=t, envelope_length_over_width=length(a), **ENVELOPE)
+        for a, t in ((2.2, 1e-3), (2.6, 1e-3), (2.2, 5e-4), (3.2, 5e-4), (4.0, 5e-4))
     ]
     given = {name: mooney_rivlin(1e5, r * 1e5) for name, r in RUBBERS.items()}
     given |= {name: saint_venant_kirchhoff(1e6, nu) for name, nu in POISSON.items()}
@@ -179,6 +187,9 @@ CASES = [
     ("curves-hold-between", {"decays": {"check-150": 0.3}}, "disagree"),
     ("uniaxial-fit-is-enough", {}, "disagree"),  # the fits differ by more than their errors
     ("wrinkles-as-long-as-the-sheet", {}, "agree"),
+    ("wrinkles-as-long-as-the-sheet", {"length": lambda a: a - 1.2}, "disagree"),
+    ("wrinkles-end-before-the-clamps", {"length": lambda a: a - 1.2}, "agree"),
+    ("wrinkles-end-before-the-clamps", {"length": lambda a: a**0.5}, "disagree"),
     ("wrinkles-at-every-poisson-ratio", {}, "agree"),
 ]
 

@@ -9,6 +9,8 @@ from wrinklestudy.results.sheets import MissingError, SheetStates
 from wrinklestudy.studies.panaitescu2019 import theory
 from wrinklestudy.typing import Array, Mask
 
+# Sheets from this L/W are long: their wrinkles end before the clamps.
+LONG = 2.5
 _COLUMNS = (
     "strain",
     "wavelength_over_width",

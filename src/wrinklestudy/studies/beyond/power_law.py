@@ -11,8 +11,8 @@ CONFIDENCE = 0.95
 
 
 @dataclass(frozen=True)
-class Exponent:
-    """An exponent with the half-width of its interval."""
+class Estimated:
+    """An exponent, or another fitted number, with the half-width of its interval."""
 
     value: float
     error: float
@@ -34,7 +34,7 @@ class PowerLaw:
     Parameters
     ----------
     factor : float
-    exponents : dict of Exponent
+    exponents : dict of Estimated
         By name of the base.
     scatter : float
         Root mean square of the residuals of the logarithm, with the degrees of freedom left.
@@ -43,7 +43,7 @@ class PowerLaw:
     """
 
     factor: float
-    exponents: dict[str, Exponent]
+    exponents: dict[str, Estimated]
     scatter: float
     count: int
 
@@ -86,6 +86,50 @@ def power_law(value: Array, **bases: Array) -> PowerLaw:
     spread = np.sqrt(variance * np.diag(np.linalg.inv(design.T @ design)))
     half = float(t.ppf(0.5 + 0.5 * CONFIDENCE, free)) * spread
     exponents = {
-        name: Exponent(float(solution[k]), float(half[k])) for k, name in enumerate(names, 1)
+        name: Estimated(float(solution[k]), float(half[k])) for k, name in enumerate(names, 1)
     }
     return PowerLaw(float(np.exp(solution[0])), exponents, float(np.sqrt(variance)), len(value))
+
+
+@dataclass(frozen=True)
+class Line:
+    """value = slope x base + offset.
+
+    Parameters
+    ----------
+    slope, offset : Estimated
+        Each with the half-width of its interval.
+    scatter : float
+        Root mean square of the residuals over the values.
+    """
+
+    slope: Estimated
+    offset: Estimated
+    scatter: float
+
+    def at(self, base: Array) -> Array:
+        """Return the line at some bases."""
+        return self.slope.value * base + self.offset.value
+
+
+def line(value: Array, base: Array) -> Line:
+    """Fit a straight line by least squares of the relative residuals, as a power law weighs them.
+
+    Raises
+    ------
+    ValueError
+        If there are fewer than three numbers.
+    """
+    from scipy.stats import t
+
+    free = len(value) - 2
+    if free < 1:
+        raise ValueError(f"{len(value)} numbers: a line needs at least three")
+    design = np.column_stack([base, np.ones(len(base))]) / value[:, None]
+    solution, *_ = np.linalg.lstsq(design, np.ones(len(value)), rcond=None)
+    residual = 1.0 - design @ solution
+    variance = float(residual @ residual) / free
+    spread = np.sqrt(variance * np.diag(np.linalg.inv(design.T @ design)))
+    half = float(t.ppf(0.5 + 0.5 * CONFIDENCE, free)) * spread
+    slope, offset = (Estimated(float(v), float(e)) for v, e in zip(solution, half, strict=True))
+    return Line(slope, offset, float(np.sqrt(variance)))

@@ -3,8 +3,8 @@
 import numpy as np
 
 from wrinklestudy.results.sheets import MissingError
-from wrinklestudy.studies.beyond.lengths import Lengths, lengths
-from wrinklestudy.studies.beyond.power_law import PowerLaw, power_law
+from wrinklestudy.studies.beyond.lengths import LONG, Lengths, lengths
+from wrinklestudy.studies.beyond.power_law import PowerLaw, line, power_law
 from wrinklestudy.studies.panaitescu2019 import theory
 from wrinklestudy.study.claims.finding import Finding, Value, claim, verdict_of
 from wrinklestudy.study.claims.tables import StudyTables
@@ -12,6 +12,7 @@ from wrinklestudy.study.claims.tables import StudyTables
 CLOSE = 0.1  # of the wavelength
 HALF, QUARTER = 0.5, -0.25  # exponents of thickness and strain
 OFF = 0.05  # of an exponent
+SLOPE = 0.1  # of the slope of l over L
 NEO_HOOKEAN = "latex-nh"
 _SYMBOLS = {"thickness": "t", "strain": "ε", "aspect": "L", "length": "l"}
 ENDS = 0.1  # X/L beyond which the highest wrinkle is not in the middle
@@ -175,6 +176,42 @@ def wrinkles_as_long_as_the_sheet(study: StudyTables) -> Finding:
         f"Over {_ranges(found)}: α = {alpha.text} on the undeformed sheet, {other.text} on the "
         f"deformed one; exponents {_exponents(material)}. l is {share.min():.2f} to "
         f"{share.max():.2f} of L. A power law leaves {material.scatter:.1%} of l.",
+    )
+
+
+@claim(
+    order=(5, 0, 4, 1),
+    place="wrinkled sheets of the paper's rubber that are long",
+    statement="The wrinkles of a long sheet end at a fixed distance from the clamps, whatever its "
+    "length.",
+    reading=f"l = a L - c W over sheets of L/W >= {LONG:g}, on the undeformed sheet.",
+    tolerance=f"a within {SLOPE:g} of 1, and the line leaves less of l than a power law does",
+)
+def wrinkles_end_before_the_clamps(study: StudyTables) -> Finding:
+    """Fit a line to the length of the wrinkles of long sheets."""
+    found = of_the_rubber(study)
+    found = found.where(found.aspect >= LONG)
+    if len(np.unique(found.aspect)) < 3:
+        raise MissingError(f"wrinkled states of three lengths L/W >= {LONG:g}")
+    straight = line(found.material_envelope, found.aspect)
+    law = power_law(found.material_envelope, aspect=found.aspect)
+    slope, end = straight.slope, straight.offset
+    return Finding(
+        verdict_of(abs(slope.value - 1.0) <= SLOPE and straight.scatter < law.scatter),
+        (
+            Value("slope a", slope.value),
+            Value("half of its 95% interval", slope.error, digits=2),
+            Value("c", -end.value),
+            Value("half of its 95% interval, c", end.error, digits=2),
+            Value("left by the line, over l", straight.scatter, digits=2),
+            Value("exponent of a power law", law.exponents["aspect"].value),
+            Value("left by the power law, over l", law.scatter, digits=2),
+        ),
+        f"Over {_ranges(found)}: l/W = ({slope.text}) L/W - ({-end.value:.2f} ± {end.error:.2f}), "
+        f"so that the wrinkles fall to half of their height {-0.5 * end.value:.2f} W from either "
+        f"clamp. The line leaves {straight.scatter:.1%} of l, a power law (α = "
+        f"{law.exponents['aspect'].text}) {law.scatter:.1%}: α is no constant, it falls towards 1 "
+        "as the sheet gets longer.",
     )
 
 

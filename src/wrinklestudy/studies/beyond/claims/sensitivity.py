@@ -21,6 +21,7 @@ from wrinklestudy.study.claims.tables import StudyTables
 
 BIRTH_SPREAD = 0.02  # of the birth strain
 CHECKED = 0.01  # of birth, decay and largest A/t
+RELATIVE = 0.1  # of C01/C10
 KNOWN = 0.01  # of the decay strain, absolute
 FACTOR = 2.0  # within which C01/C10 would be known
 UNIAXIAL, ALL_MODES = "treloar-uniaxial", "treloar"
@@ -188,6 +189,38 @@ def uniaxial_fit_is_enough(study: StudyTables) -> Finding:
         f"decay strain, the half-width of the uniaxial interval is {half:.4f}: what is not known "
         "is not the scatter of the points but whether the law holds in other deformations than "
         "that tested.",
+    )
+
+
+@claim(
+    order=(7, 0, 3, 1),
+    place="given ratios C01/C10",
+    statement=f"A ratio C01/C10 known to {RELATIVE:.0%} gives the decay strain to {KNOWN:g}.",
+    tolerance="at every computed ratio",
+)
+def ratio_to_ten_per_cent(study: StudyTables) -> Finding:
+    """Find how much the decay strain changes with the ratio."""
+    found = rubber_curves(study)
+    shares = np.linspace(found.shares[0], found.shares[-1], 2001)[1:]
+    # a small change of r changes s = r / (1 + r) by s (1 - s) d(ln r)
+    step = 0.5 * RELATIVE * shares * (1.0 - shares)
+    inside = shares + step <= found.shares[-1]
+    shares, step = shares[inside], step[inside]
+    low, high = (found.at("decay strain", shares + sign * step) for sign in (-1.0, 1.0))
+    change = np.abs(high - low)
+    worst = int(np.argmax(change))
+    at, most = float(ratio(shares[worst])), float(change[worst])
+    needed = KNOWN / most * RELATIVE
+    return Finding(
+        verdict_of(most <= KNOWN),
+        (
+            Value("largest change of the decay strain", most),
+            Value("at C01/C10", at),
+            Value(f"error of C01/C10 that changes it by {KNOWN:g} there", needed, digits=2),
+        ),
+        f"An error of {RELATIVE:.0%} changes the decay strain most at C01/C10 = {at:.2g}, by "
+        f"{most:.4f}; there the ratio must be known to {needed:.0%} for {KNOWN:g}. At large ratios "
+        "the decay strain hardly depends on it.",
     )
 
 

@@ -7,8 +7,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter
 
-from wrinklestudy.studies.beyond.lengths import Lengths, lengths
-from wrinklestudy.studies.beyond.power_law import power_law
+from wrinklestudy.studies.beyond.lengths import LONG, Lengths, lengths
+from wrinklestudy.studies.beyond.power_law import line, power_law
 from wrinklestudy.study.figures import style
 from wrinklestudy.study.figures.inputs import Inputs
 from wrinklestudy.study.figures.series import number
@@ -72,6 +72,13 @@ def _law(axes: Axes, found: Lengths) -> None:
     fine = np.geomspace(found.aspect.min(), found.aspect.max(), 50)
     alpha = law.exponents["aspect"]
     axes.plot(fine, law.at(aspect=fine), "-", color=GREY, lw=0.8)
+    long = found.where(found.aspect >= LONG)
+    if len(np.unique(long.aspect)) > 2:
+        straight = line(long.material_envelope, long.aspect)
+        whole = np.linspace(1.2 * -straight.offset.value, found.aspect.max(), 100)
+        text = rf"$\ell = {straight.slope.value:.2f} L - {-straight.offset.value:.2f} W$"
+        axes.plot(whole, straight.at(whole), "--", color=style.VERMILLION, lw=0.8, label=text)
+        axes.legend(loc="lower right")
     axes.annotate(
         rf"$\ell \sim L^{{{alpha.value:.2f} \pm {alpha.error:.2f}}}$",
         (fine[10], float(law.at(aspect=fine[10]))),
