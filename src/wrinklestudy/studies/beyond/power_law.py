@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from wrinklestudy.results.sheets import MissingError
 from wrinklestudy.typing import Array
 
 # Two-sided confidence of the intervals.
@@ -66,20 +67,20 @@ def power_law(value: Array, **bases: Array) -> PowerLaw:
     value : ndarray, shape (n,)
         Positive; n is larger than the number of bases plus one.
     **bases : ndarray, shape (n,)
-        Positive, each with at least two values.
+        Positive.
 
     Raises
     ------
-    ValueError
-        If there are too few numbers.
+    MissingError
+        If there are too few numbers, or these cannot tell the exponents apart.
     """
     from scipy.stats import t
 
     names = list(bases)
-    free = len(value) - len(names) - 1
-    if free < 1:
-        raise ValueError(f"{len(value)} numbers: a power law of {len(names)} bases needs more")
     design = np.column_stack([np.ones(len(value)), *(np.log(bases[name]) for name in names)])
+    free = len(value) - len(names) - 1
+    if free < 1 or np.linalg.matrix_rank(design) <= len(names):
+        raise MissingError(f"numbers that tell the exponents of {', '.join(names)} apart")
     solution, *_ = np.linalg.lstsq(design, np.log(value), rcond=None)
     residual = np.log(value) - design @ solution
     variance = float(residual @ residual) / free
@@ -117,14 +118,14 @@ def line(value: Array, base: Array) -> Line:
 
     Raises
     ------
-    ValueError
-        If there are fewer than three numbers.
+    MissingError
+        If there are fewer than three numbers, or all of one base.
     """
     from scipy.stats import t
 
     free = len(value) - 2
-    if free < 1:
-        raise ValueError(f"{len(value)} numbers: a line needs at least three")
+    if free < 1 or np.ptp(base) == 0.0:
+        raise MissingError("numbers that tell slope and offset of a line apart")
     design = np.column_stack([base, np.ones(len(base))]) / value[:, None]
     solution, *_ = np.linalg.lstsq(design, np.ones(len(value)), rcond=None)
     residual = 1.0 - design @ solution
