@@ -12,7 +12,8 @@ _FIGURES = (
         title="wavelength and length of the wrinkles against L/W",
         caption="Left: wavelength over 0.8 times that of Cerda and Mahadevan; within the band they "
         "agree to 10%. Right: length of the wrinkles at half of their height, on the undeformed "
-        "sheet, with the power law through all points and the line through those of long sheets. "
+        "sheet; open where there are two zones with lower wrinkles between, their lengths added. "
+        "The power law goes through all filled points, the line through those of long sheets. "
         "Larger markers: larger strain.",
         part=_SCALES,
         module=f"{_HERE}.figures.scales",

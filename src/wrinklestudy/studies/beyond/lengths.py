@@ -18,6 +18,8 @@ _COLUMNS = (
     "envelope_length_over_width",
     "deformed_envelope_length_over_width",
     "sheet_amplitude_x_over_length",
+    "amplitude_over_thickness",
+    "sheet_amplitude_over_thickness",
 )
 
 
@@ -36,6 +38,8 @@ class Lengths:
         The same on the undeformed sheet; lambda by the mean stretch across x = 0.
     place : ndarray
         |X|/L of the highest wrinkle.
+    middle : ndarray
+        Height half-way between the clamps over that of the highest wrinkle.
     """
 
     aspect: Array
@@ -46,6 +50,12 @@ class Lengths:
     envelope: Array
     material_envelope: Array
     place: Array
+    middle: Array
+
+    @property
+    def joined(self) -> Mask:
+        """Which states have wrinkles of more than half of their height from end to end."""
+        return self.middle > 0.5
 
     def where(self, chosen: Mask) -> "Lengths":
         """Return some of the states."""
@@ -84,11 +94,13 @@ def lengths(sheets: Iterable[SheetStates]) -> Lengths:
             columns = sheet.wrinkled(*_COLUMNS)
         except MissingError:
             continue
-        for strain, wavelength, width, envelope, deformed, place in zip(*columns, strict=True):
+        for state in zip(*columns, strict=True):
+            strain, wavelength, width, envelope, deformed, place, height, highest = state
             rows.append(
                 (
                     *(sheet.aspect, sheet.thickness, strain),
-                    *(wavelength, wavelength / width, deformed, envelope, place),
+                    *(wavelength, wavelength / width, deformed, envelope),
+                    *(place, height / highest),
                 )
             )
     if not rows:

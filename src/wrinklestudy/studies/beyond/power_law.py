@@ -56,7 +56,7 @@ class PowerLaw:
         return product
 
 
-def power_law(value: Array, **bases: Array) -> PowerLaw:
+def power_law(value: Array, groups: Array | None = None, **bases: Array) -> PowerLaw:
     """Fit log value linearly in the logarithms of the bases by least squares.
 
     What is fitted is computed and has no noise: the intervals (Student's t) measure how far the
@@ -65,7 +65,9 @@ def power_law(value: Array, **bases: Array) -> PowerLaw:
     Parameters
     ----------
     value : ndarray, shape (n,)
-        Positive; n is larger than the number of bases plus one.
+        Positive; n is larger than the number of bases plus that of the groups.
+    groups : ndarray, shape (n,), optional
+        Numbers of one group share a factor of their own; `PowerLaw.factor` is then the mean.
     **bases : ndarray, shape (n,)
         Positive.
 
@@ -77,19 +79,23 @@ def power_law(value: Array, **bases: Array) -> PowerLaw:
     from scipy.stats import t
 
     names = list(bases)
-    design = np.column_stack([np.ones(len(value)), *(np.log(bases[name]) for name in names)])
-    free = len(value) - len(names) - 1
-    if free < 1 or np.linalg.matrix_rank(design) <= len(names):
+    group = np.zeros(len(value)) if groups is None else groups
+    factors = [(group == one).astype(np.float64) for one in np.unique(group)]
+    design = np.column_stack([*factors, *(np.log(bases[name]) for name in names)])
+    free = len(value) - design.shape[1]
+    if free < 1 or np.linalg.matrix_rank(design) < design.shape[1]:
         raise MissingError(f"numbers that tell the exponents of {', '.join(names)} apart")
     solution, *_ = np.linalg.lstsq(design, np.log(value), rcond=None)
     residual = np.log(value) - design @ solution
     variance = float(residual @ residual) / free
     spread = np.sqrt(variance * np.diag(np.linalg.inv(design.T @ design)))
     half = float(t.ppf(0.5 + 0.5 * CONFIDENCE, free)) * spread
+    first = len(factors)
     exponents = {
-        name: Estimated(float(solution[k]), float(half[k])) for k, name in enumerate(names, 1)
+        name: Estimated(float(solution[k]), float(half[k])) for k, name in enumerate(names, first)
     }
-    return PowerLaw(float(np.exp(solution[0])), exponents, float(np.sqrt(variance)), len(value))
+    factor = float(np.exp(solution[:first].mean()))
+    return PowerLaw(factor, exponents, float(np.sqrt(variance)), len(value))
 
 
 @dataclass(frozen=True)

@@ -25,7 +25,8 @@ def of_the_rubber(study: StudyTables) -> Lengths:
 
 def _ranges(found: Lengths) -> str:
     def span(values: np.ndarray) -> str:
-        return f"{values.min():g} to {values.max():g}"
+        low, high = values.min(), values.max()
+        return f"{low:g}" if low == high else f"{low:g} to {high:g}"
 
     return (
         f"{len(found.strain)} states, L/W = {span(found.aspect)}, t/W = {span(found.thickness)}, "
@@ -34,18 +35,17 @@ def _ranges(found: Lengths) -> str:
 
 
 def wavelength_law(found: Lengths, material: bool) -> PowerLaw:
-    """Return lambda as a power law of t/W, eps and L/W, deformed or on the undeformed sheet.
+    """Return lambda as a power law of t/W and eps with a factor of its own for each L/W.
 
     Raises
     ------
     MissingError
         If there are too few states.
     """
-    bases = {"thickness": found.thickness, "strain": found.strain, "aspect": found.aspect}
+    bases = {"thickness": found.thickness, "strain": found.strain}
     varied = {name: base for name, base in bases.items() if np.ptp(base) > 0.0}
-    if len(found.strain) < len(varied) + 2 or not varied:
-        raise MissingError("enough wrinkled states for the exponents of the wavelength")
-    return power_law(found.material_wavelength if material else found.wavelength, **varied)
+    wavelength = found.material_wavelength if material else found.wavelength
+    return power_law(wavelength, found.aspect, **varied)
 
 
 def _exponents(law: PowerLaw) -> str:
@@ -68,8 +68,8 @@ def _values(law: PowerLaw, what: str) -> list[Value]:
     place="all wrinkled sheets of the paper's rubber",
     statement="The wavelength goes as the square root of the thickness and falls as the fourth "
     "root of the strain.",
-    tolerance=f"exponents of t/W and ε within {OFF:g} of {HALF:g} and {QUARTER:g}, on the deformed "
-    "sheet",
+    reading="Exponents of t/W and ε that all lengths share, with a factor for each L/W.",
+    tolerance=f"exponents within {OFF:g} of {HALF:g} and {QUARTER:g}, on the deformed sheet",
 )
 def wavelength_exponents(study: StudyTables) -> Finding:
     """Fit the wavelength on the deformed and on the undeformed sheet."""
@@ -155,13 +155,14 @@ def scaled_wavelength_everywhere(study: StudyTables) -> Finding:
     place="all wrinkled sheets of the paper's rubber",
     statement="The length of the wrinkles is a fixed fraction of that of the sheet.",
     reading="l ~ L^α W^(1-α), with l the length along the pull over which the wrinkles are above "
-    "half of their height; α = 1 is what the Cerda-Mahadevan equation takes, and the paper leaves "
-    "α open.",
+    "half of their height, of states that are so from end to end; α = 1 is what the "
+    "Cerda-Mahadevan equation takes, and the paper leaves α open.",
     tolerance="1 lies within the 95% interval of α, on the undeformed sheet",
 )
 def wrinkles_as_long_as_the_sheet(study: StudyTables) -> Finding:
     """Fit the length of the wrinkles against L/W, thickness and strain."""
     found = of_the_rubber(study)
+    found = found.where(found.joined)
     bases = {"aspect": found.aspect, "thickness": found.thickness, "strain": found.strain}
     varied = {name: base for name, base in bases.items() if np.ptp(base) > 0.0}
     if "aspect" not in varied or len(found.strain) < len(varied) + 2:
@@ -184,13 +185,14 @@ def wrinkles_as_long_as_the_sheet(study: StudyTables) -> Finding:
     place="wrinkled sheets of the paper's rubber that are long",
     statement="The wrinkles of a long sheet end at a fixed distance from the clamps, whatever its "
     "length.",
-    reading=f"l = a L - c W over sheets of L/W >= {LONG:g}, on the undeformed sheet.",
+    reading=f"l = a L - c W over sheets of L/W >= {LONG:g} with wrinkles from end to end, on the "
+    "undeformed sheet.",
     tolerance=f"a within {SLOPE:g} of 1, and the line leaves less of l than a power law does",
 )
 def wrinkles_end_before_the_clamps(study: StudyTables) -> Finding:
     """Fit a line to the length of the wrinkles of long sheets."""
     found = of_the_rubber(study)
-    found = found.where(found.aspect >= LONG)
+    found = found.where(found.joined & (found.aspect >= LONG))
     if len(np.unique(found.aspect)) < 3:
         raise MissingError(f"wrinkled states of three lengths L/W >= {LONG:g}")
     straight = line(found.material_envelope, found.aspect)
@@ -207,11 +209,40 @@ def wrinkles_end_before_the_clamps(study: StudyTables) -> Finding:
             Value("exponent of a power law", law.exponents["aspect"].value),
             Value("left by the power law, over l", law.scatter, digits=2),
         ),
-        f"Over {_ranges(found)}: l/W = ({slope.text}) L/W - ({-end.value:.2f} ± {end.error:.2f}), "
-        f"so that the wrinkles fall to half of their height {-0.5 * end.value:.2f} W from either "
-        f"clamp. The line leaves {straight.scatter:.1%} of l, a power law (α = "
-        f"{law.exponents['aspect'].text}) {law.scatter:.1%}: α is no constant, it falls towards 1 "
-        "as the sheet gets longer.",
+        f"Over {_ranges(found)}: l/W = ({slope.text}) L/W - ({-end.value:.2f} ± {end.error:.2f}). "
+        f"The line leaves {straight.scatter:.1%} of l, a power law (α = "
+        f"{law.exponents['aspect'].text}) {law.scatter:.1%}.",
+    )
+
+
+@claim(
+    order=(5, 0, 4, 2),
+    place="wrinkled sheets of the paper's rubber that are long",
+    statement="However long a sheet, its wrinkles run from end to end.",
+    tolerance="half-way between the clamps every state is more than half as high as at its highest",
+)
+def wrinkles_from_end_to_end(study: StudyTables) -> Finding:
+    """Look for states with two zones of wrinkles."""
+    found = of_the_rubber(study)
+    split = found.where(~found.joined)
+    if not len(split.strain):
+        text = f"All {len(found.strain)} states are."
+        return Finding("agree", (Value("states", len(found.strain)),), text)
+    low, high = float(split.material_envelope.min()), float(split.material_envelope.max())
+    others = found.where(found.joined & np.isin(found.aspect, split.aspect))
+    thinner = ""
+    if len(others.strain):
+        thinner = f"At these lengths the wrinkles of others do ({_ranges(others)})."
+    return Finding(
+        "disagree",
+        (
+            Value("states with two zones", len(split.strain)),
+            Value("of", len(found.strain)),
+            Value("smallest length of both zones over W", low),
+            Value("largest length of both zones over W", high),
+        ),
+        f"{len(split.strain)} states have two zones, one towards each clamp ({_ranges(split)}); "
+        f"both together are {low:.2f} to {high:.2f} W long. {thinner}".rstrip(),
     )
 
 
@@ -245,13 +276,14 @@ def highest_in_the_middle(study: StudyTables) -> Finding:
     statement="The wavelength follows the length of the wrinkles rather than that of the sheet: "
     "it goes as the square root of l.",
     reading="λ ~ l^(1/2) t^(1/2) ε^(-1/4), the balance of bending and tension over l in place of "
-    "L.",
+    "L, of states with wrinkles from end to end.",
     tolerance=f"exponent of l within {OFF:g} of {HALF:g}, and a power law of l leaves less than "
     "one of L",
 )
 def wavelength_follows_the_wrinkles(study: StudyTables) -> Finding:
     """Fit the wavelength with the length of the wrinkles in place of that of the sheet."""
     found = of_the_rubber(study)
+    found = found.where(found.joined)
     if len(found.strain) < 5 or np.ptp(found.aspect) == 0.0 or np.ptp(found.thickness) == 0.0:
         raise MissingError("wrinkled states of two lengths and two thicknesses")
     shared = {"thickness": found.thickness, "strain": found.strain}

@@ -25,7 +25,7 @@ def draw(inputs: Inputs) -> Figure:
     thicknesses = np.unique(found.thickness)
     for thickness, look in zip(thicknesses, style.ordered(len(thicknesses)), strict=True):
         _thickness(left, right, found.where(found.thickness == thickness), look, thickness)
-    _law(right, found)
+    _law(right, found.where(found.joined))
     for axes in (left, right):
         axes.set_xscale("log")
         ticks = np.unique(found.aspect)
@@ -48,20 +48,19 @@ def draw(inputs: Inputs) -> Figure:
 def _thickness(left: Axes, right: Axes, found: Lengths, look: style.Look, thickness: float) -> None:
     """Draw the states of one thickness: the larger the marker, the larger the strain."""
     sizes = 6.0 + 130.0 * found.strain
-    options: dict[str, Any] = {
-        "color": look.color,
-        "marker": look.marker,
-        "alpha": 0.8,
-        "linewidths": 0.0,
-    }
+    options: dict[str, Any] = {"color": look.color, "marker": look.marker, "alpha": 0.8}
+    label = f"$t/W = {number(thickness)}$"
     left.scatter(
-        found.aspect,
-        found.against_theory,
-        s=sizes,
-        label=f"$t/W = {number(thickness)}$",
-        **options,
+        found.aspect, found.against_theory, s=sizes, label=label, linewidths=0.0, **options
     )
-    right.scatter(found.aspect, found.material_envelope, s=sizes, **options)
+    for chosen, line_width, face in ((found.joined, 0.0, look.color), (~found.joined, 0.8, "none")):
+        right.scatter(
+            found.aspect[chosen],
+            found.material_envelope[chosen],
+            s=sizes[chosen],
+            linewidths=line_width,
+            **options | {"facecolor": face},
+        )
 
 
 def _law(axes: Axes, found: Lengths) -> None:
@@ -75,13 +74,13 @@ def _law(axes: Axes, found: Lengths) -> None:
     long = found.where(found.aspect >= LONG)
     if len(np.unique(long.aspect)) > 2:
         straight = line(long.material_envelope, long.aspect)
-        whole = np.linspace(1.2 * -straight.offset.value, found.aspect.max(), 100)
-        text = rf"$\ell = {straight.slope.value:.2f} L - {-straight.offset.value:.2f} W$"
+        whole = np.linspace(LONG, found.aspect.max(), 100)
+        text = rf"$\ell = {straight.slope.value:.2f} L {straight.offset.value:+.2f} W$"
         axes.plot(whole, straight.at(whole), "--", color=style.VERMILLION, lw=0.8, label=text)
         axes.legend(loc="lower right")
     axes.annotate(
         rf"$\ell \sim L^{{{alpha.value:.2f} \pm {alpha.error:.2f}}}$",
         (fine[10], float(law.at(aspect=fine[10]))),
-        xytext=(0, 22),
+        xytext=(-34, 30),
         textcoords="offset points",
     )
