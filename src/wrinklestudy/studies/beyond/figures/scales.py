@@ -37,7 +37,7 @@ def draw(inputs: Inputs) -> Figure:
     right.yaxis.set_minor_formatter(NullFormatter())
     low, high = float(found.material_envelope.min()), float(found.material_envelope.max())
     ticks = np.array(
-        [tick for tick in (0.5, 0.7, 1, 1.5, 2, 3, 4) if low / 1.3 < tick < 1.3 * high]
+        [tick for tick in (0.5, 0.7, 1, 1.5, 2, 3, 4, 6) if low / 1.3 < tick < 1.3 * high]
     )
     right.set_yticks(ticks, [f"{tick:g}" for tick in ticks])
     right.set_ylabel(r"$\ell/W$")
