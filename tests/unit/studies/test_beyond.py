@@ -14,7 +14,7 @@ from wrinklestudy.studies.beyond.claims.scales import wavelength_law
 from wrinklestudy.studies.beyond.lengths import lengths
 from wrinklestudy.studies.beyond.power_law import line, power_law
 from wrinklestudy.studies.beyond.rubber import Curves, curves, interval, sampled_shares, share
-from wrinklestudy.studies.beyond.thresholds import largest_difference, threshold
+from wrinklestudy.studies.beyond.thresholds import by_mesh, largest_difference, threshold
 from wrinklestudy.study.claims.discovery import load_claims
 
 CLAIMS = load_claims("beyond")
@@ -148,6 +148,12 @@ def test_the_birth_strain_is_read_off_the_critical_thickness():
     assert largest_difference(found, threshold(thin_sheet(1.003))) == pytest.approx(0.003)
     with pytest.raises(MissingError):
         found.law(up_to=0.03)
+
+
+def test_meshes_are_compared_where_they_have_a_strain_in_common():
+    thick, thin = thin_sheet(), sheet(thickness=5e-4, birth=0.045, critical_thickness=1e-3)
+    without = sheet(thickness=2e-4, birth=0.01, critical_thickness=1e-3)
+    assert [len(found.strain) for found in by_mesh([thin, without, thick])] == [3, 2]
 
 
 def test_the_wavelength_has_the_exponents_that_its_sheets_were_made_with():

@@ -59,15 +59,18 @@ def threshold(sheet: SheetStates) -> Threshold:
 def by_mesh(sheets: Iterable[SheetStates]) -> list[Threshold]:
     """Return the thresholds on the meshes of several sheets of one length, the thickest first.
 
-    Thinner sheets have more cells across.
+    Thinner sheets have more cells across. Sheets without a strain below birth that the first one
+    has too are left out.
     """
     ordered = sorted(sheets, key=lambda sheet: -sheet.thickness)
     thresholds = []
     for sheet in ordered:
         try:
-            thresholds.append(threshold(sheet))
+            found = threshold(sheet)
         except MissingError:
             continue
+        if not thresholds or len(np.intersect1d(found.strain, thresholds[0].strain)):
+            thresholds.append(found)
     return thresholds
 
 
