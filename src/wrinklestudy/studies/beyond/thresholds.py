@@ -63,7 +63,7 @@ def by_mesh(sheets: Iterable[SheetStates]) -> list[Threshold]:
     has too are left out.
     """
     ordered = sorted(sheets, key=lambda sheet: -sheet.thickness)
-    thresholds = []
+    thresholds: list[Threshold] = []
     for sheet in ordered:
         try:
             found = threshold(sheet)
