@@ -29,6 +29,22 @@ class SheetPeak:
 
 
 @dataclass(frozen=True)
+class Envelope:
+    """How long the wrinkles are.
+
+    Parameters
+    ----------
+    length, deformed_length : float
+        Length along the pull over which the largest |z| across the sheet is above half of its
+        maximum, in units of W: of the undeformed sheet, and of the deformed mid-line above it. Two
+        zones of wrinkles count together, without what lies between them.
+    """
+
+    length: float
+    deformed_length: float
+
+
+@dataclass(frozen=True)
 class SampledSurface:
     """The full deformed sheet, sampled.
 
@@ -63,6 +79,27 @@ def sheet_peak(sheet: DeformedSheet) -> SheetPeak:
         best = SheetPeak(float(height[i, j]), float(x[i]), float(y[j]))
         x, y = _around(x, int(i)), _around(y, int(j))
     return best
+
+
+def envelope(sheet: DeformedSheet) -> Envelope:
+    """Return the lengths over which the wrinkles of a sheet are above half of their height."""
+    x = subdivided(sheet.grid.x, _SAMPLES_PER_CELL)
+    y = subdivided(sheet.grid.y, _SAMPLES_PER_CELL)
+    height = np.abs(evaluate(sheet.grid, sheet.nodes[2], x, y)).max(axis=1)
+    along = evaluate(sheet.grid, sheet.nodes[0], x, np.array([0.0]))[:, 0]
+    whole = sheet.unfolded().grid.x
+    copies = np.ptp(whole) / np.ptp(sheet.grid.x)
+    level = 0.5 * float(height.max())
+    lengths = (copies * _length_above(place, height, level) for place in (x, along))
+    return Envelope(*lengths)
+
+
+def _length_above(place: Array, height: Array, level: float) -> float:
+    """Return the length over which a piecewise linear height is above a level."""
+    over = height - level
+    above, all_of_it = np.maximum(over, 0.0), np.abs(over)
+    share = (above[:-1] + above[1:]) / (all_of_it[:-1] + all_of_it[1:])
+    return float(share @ np.diff(place))
 
 
 def _around(points: Array, k: int) -> Array:

@@ -146,6 +146,14 @@ class StateRow(SheetIdentity):
     sheet_amplitude_y_over_width: float | None = _column(
         "Y/W of that point, 0 on the mid-line, 1/2 at the free edge", measured=True
     )
+    envelope_length_over_width: float | None = _column(
+        "l/W, length along X over which the largest |z| across the sheet is above half of its "
+        "maximum",
+        measured=True,
+    )
+    deformed_envelope_length_over_width: float | None = _column(
+        "the same length on the deformed mid-line, over W", measured=True
+    )
     unstable_directions: int | None = _column(
         "negative eigenvalues of the tangent of the quarter", of_equilibrium=True, shown=True
     )

@@ -6,7 +6,7 @@ from typing import Any
 
 from wrinklestudy.metrics.interpolant import DeformedSheet
 from wrinklestudy.metrics.measure import Measures, measure_sheet
-from wrinklestudy.metrics.surface import SheetPeak, sheet_peak
+from wrinklestudy.metrics.surface import envelope, sheet_peak
 from wrinklestudy.results.fields import deformed_sheet, read_wrinkle
 from wrinklestudy.results.rows import StateRow, columns
 from wrinklestudy.typing import AnyPath
@@ -40,7 +40,7 @@ def measure_state(path: AnyPath) -> StateRow:
 def _measured(row: StateRow, sheet: DeformedSheet) -> StateRow:
     if row.status == "flat":
         sheet = sheet.flattened()  # what remains of a seed that has decayed is no wrinkle
-    return _with_peak(with_measures(row, measure_sheet(sheet)), sheet_peak(sheet))
+    return _with_surface(with_measures(row, measure_sheet(sheet)), sheet)
 
 
 def with_measures(row: StateRow, measures: Measures) -> StateRow:
@@ -68,13 +68,18 @@ def unmeasured(row: StateRow) -> StateRow:
     return replace(row, **nothing)
 
 
-def _with_peak(row: StateRow, peak: SheetPeak) -> StateRow:
-    flat = row.status == "flat"
+def _with_surface(row: StateRow, sheet: DeformedSheet) -> StateRow:
+    peak = sheet_peak(sheet)
+    row = replace(row, sheet_amplitude_over_thickness=peak.amplitude / row.thickness)
+    if row.status == "flat":
+        return row
+    lengths = envelope(sheet)
     return replace(
         row,
-        sheet_amplitude_over_thickness=peak.amplitude / row.thickness,
-        sheet_amplitude_x_over_length=None if flat else peak.x / row.aspect,
-        sheet_amplitude_y_over_width=None if flat else peak.y,
+        sheet_amplitude_x_over_length=peak.x / row.aspect,
+        sheet_amplitude_y_over_width=peak.y,
+        envelope_length_over_width=lengths.length,
+        deformed_envelope_length_over_width=lengths.deformed_length,
     )
 
 

@@ -9,7 +9,7 @@ from wrinklestudy.fem.grid import Grid
 from wrinklestudy.metrics.interpolant import DeformedSheet, evaluate
 from wrinklestudy.metrics.measure import measure_sheet
 from wrinklestudy.metrics.profile import profile_from_state
-from wrinklestudy.metrics.surface import full_surface, sheet_peak
+from wrinklestudy.metrics.surface import envelope, full_surface, sheet_peak
 
 GRID_X = 1.0 - (1.0 - np.linspace(0.0, 1.0, 7)) ** 1.5
 GRID_Y = np.linspace(0.0, 0.5, 5)
@@ -116,3 +116,19 @@ def test_profiles_do_not_depend_on_how_the_sheet_was_solved():
         whole, quarter = (profile_from_state(s, x=x) for s in (sheet.unfolded(), sheet))
         assert np.array_equal(whole.y, quarter.y)
         assert np.array_equal(whole.z, quarter.z)
+
+
+def test_the_envelope_is_as_long_as_the_deflection_is_above_half_of_its_height():
+    """1 - 3 X^2 + 2 X^3 is 1/2 at X = 1/2, so half of the sheet; stretched by 10%."""
+    lengths = envelope(state(1e-3 * dofs(ALONG, ACROSS)))
+    assert lengths.length == pytest.approx(1.0, rel=1e-3)
+    assert lengths.deformed_length == pytest.approx(1.1 * lengths.length, rel=1e-12)
+    whole = envelope(state(1e-3 * dofs(ALONG, ACROSS)).unfolded())
+    assert whole.length == pytest.approx(lengths.length, rel=1e-12)
+
+
+def test_two_zones_of_wrinkles_count_without_what_lies_between_them():
+    """(4 X (1 - X))^2 is above 1/2 for |X - 1/2| < sqrt(1 - 1/sqrt 2)/2, in either half."""
+    hump = Polynomial([0.0, 0.0, 16.0, -32.0, 16.0])
+    lengths = envelope(state(1e-3 * dofs(hump, ACROSS)))
+    assert lengths.length == pytest.approx(2.0 * np.sqrt(1.0 - np.sqrt(0.5)), rel=2e-2)

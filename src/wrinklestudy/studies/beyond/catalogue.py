@@ -1,0 +1,103 @@
+"""What this study shows: a section for each question that the paper leaves open."""
+
+from wrinklestudy.studies.beyond.selections import own_rubber, rubbers, same_length
+from wrinklestudy.study.catalogue import Catalogue, FigureEntry, SectionEntry, TableEntry
+
+_HERE = "wrinklestudy.studies.beyond"
+_SCALES, _BIRTH, _RUBBER = "5 Wavelength and length", "6 Thresholds", "7 The rubber"
+
+_FIGURES = (
+    FigureEntry(
+        name="scales",
+        title="wavelength and length of the wrinkles against L/W",
+        caption="Left: wavelength over 0.8 times that of Cerda and Mahadevan; within the band they "
+        "agree to 10%. Right: length of the wrinkles at half of their height, on the undeformed "
+        "sheet; open where there are two zones with lower wrinkles between, their lengths added. "
+        "The power law goes through all filled points, the line through those of long sheets. "
+        "Larger markers: larger strain.",
+        part=_SCALES,
+        module=f"{_HERE}.figures.scales",
+        sheets=own_rubber,
+    ),
+    FigureEntry(
+        name="birth",
+        title="strain of birth against thickness",
+        caption="Left: the strain at which wrinkles are born against t/W, on the mesh of the study "
+        "and on finer ones, with the power law fitted at small strain. Right: the same over that "
+        "power law.",
+        part=_BIRTH,
+        module=f"{_HERE}.figures.birth",
+        sheets=same_length,
+    ),
+    FigureEntry(
+        name="rubber",
+        title="birth, decay and height against the constants of the rubber",
+        caption="Left: birth and decay strain and largest amplitude against C01/C10, with the "
+        "curves through computed ratios, ratios left out of them (open), the ratios that two fits "
+        "to one rubber allow, and a measured decay strain of the paper's sheet with its error. "
+        "Right: the same for Saint Venant-Kirchhoff sheets against Poisson's ratio.",
+        part=_RUBBER,
+        module=f"{_HERE}.figures.rubber",
+        sheets=rubbers,
+        constants=True,
+    ),
+)
+
+_TABLES = (
+    TableEntry(
+        name="scales",
+        title="Wavelength and length of every wrinkled state",
+        caption="Wavelength and length of the wrinkles in both coordinates.",
+        module=f"{_HERE}.tables.scales",
+    ),
+    TableEntry(
+        name="birth",
+        title="Strain of birth against thickness",
+        caption="Critical thickness at small strains.",
+        module=f"{_HERE}.tables.birth",
+    ),
+    TableEntry(
+        name="rubber",
+        title="Birth, decay and height of each rubber",
+        caption="Birth, decay and largest amplitude against the constants of the rubber.",
+        module=f"{_HERE}.tables.rubber",
+    ),
+)
+
+_SECTIONS = (
+    SectionEntry(
+        number=5,
+        title="5. Wavelength and length of the wrinkles",
+        asked="How do the wavelength λ and the length l of the wrinkles along the pull depend on "
+        "thickness, strain and length of the sheet? l is the length over which the wrinkles are "
+        "above half of their height.",
+        figures=("scales",),
+        tables=("scales",),
+    ),
+    SectionEntry(
+        number=6,
+        title="6. Thresholds of thin sheets",
+        asked="How does the strain of birth vanish with the thickness?",
+        figures=("birth",),
+        tables=("birth",),
+    ),
+    SectionEntry(
+        number=7,
+        title="7. How well the rubber must be known",
+        asked="Birth, decay and largest amplitude against C01/C10 and Poisson's ratio, with the "
+        "error of a uniaxial fit carried through; and the ratio that a measured decay strain "
+        "tells.",
+        figures=("rubber",),
+        tables=("rubber",),
+    ),
+)
+
+CATALOGUE = Catalogue(
+    name="beyond",
+    title="Beyond the paper: thin sheets, other rubbers, other lengths",
+    figures=_FIGURES,
+    claims=f"{_HERE}.claims",
+    tables=_TABLES,
+    sections=_SECTIONS,
+    tables_part="9 Tables and claims",
+)
