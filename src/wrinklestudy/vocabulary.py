@@ -6,9 +6,12 @@ from typing import Literal, get_args
 
 Parity = Literal["antisymmetric", "symmetric"]
 Status = Literal["wrinkled", "flat", "not-converged"]
+# Of a flat state, whether small wrinkles grow on sheets that are thin enough.
+MapStatus = Literal["unstable", "stable", "not-converged"]
 
 PARITIES: tuple[Parity, ...] = get_args(Parity)
 STATUSES: tuple[Status, ...] = get_args(Status)
+MAP_STATUSES: tuple[MapStatus, ...] = get_args(MapStatus)
 
 
 @dataclass(frozen=True)
