@@ -16,7 +16,7 @@ SNAKEMAKE := $(BIN)/python workflow/unlock.py && $(BIN)/snakemake --cores $(CORE
 ONE_THREAD := OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 .DEFAULT_GOAL := help
-.PHONY: help env figures quick report test verify bench lint schema lock
+.PHONY: help env figures quick beyond report test verify bench lint schema lock
 
 help: ## list the targets
 	@sed -n 's/^\([a-z]*\):.*## /  make \1	/p' $(MAKEFILE_LIST)
@@ -37,6 +37,12 @@ figures: $(READY) ## run the default study (config.yaml) on all cores: figures/
 
 quick: $(READY) ## run the same on a coarse mesh with three strains: figures/quick/
 	$(SNAKEMAKE) --configfile config/quick.yaml
+
+beyond: $(READY) ## run the study beyond the paper (config/beyond.yaml): figures/beyond/, docs/beyond.md
+	$(SNAKEMAKE) --configfile config/beyond.yaml
+	@mkdir -p docs/beyond
+	cp results/beyond/claims/claims.md docs/beyond.md
+	cp figures/beyond/*.png docs/beyond/
 
 report: $(READY) ## run the study and put figures, claims and run times into report/report.html
 	$(SNAKEMAKE) $(CONFIG:%=--configfile %)

@@ -129,11 +129,18 @@ def materials(tmp_path_factory) -> Inputs:
     data = Path(__file__).parents[2] / "data"
     folder = tmp_path_factory.mktemp("materials")
     latex, rubber = data / "latex_panaitescu2019.csv", data / "treloar1944.csv"
-    material.run(latex, "mooney-rivlin", "latex", None, None, folder / "latex.json")
-    material.run(latex, "neo-hookean", "nh", None, None, folder / "nh.json")
-    material.run(latex, "svk", "svk", None, None, folder / "svk.json")
-    material.run(rubber, "mooney-rivlin", "uni", (1, 1.65), ["uniaxial"], folder / "uni.json")
-    material.run(rubber, "mooney-rivlin", "all", (1, 1.65), None, folder / "all.json")
+    material.run("mooney-rivlin", "latex", folder / "latex.json", csv=latex)
+    material.run("neo-hookean", "nh", folder / "nh.json", csv=latex)
+    material.run("svk", "svk", folder / "svk.json", csv=latex)
+    material.run(
+        "mooney-rivlin",
+        "uni",
+        folder / "uni.json",
+        csv=rubber,
+        stretch=(1, 1.65),
+        modes=["uniaxial"],
+    )
+    material.run("mooney-rivlin", "all", folder / "all.json", csv=rubber, stretch=(1, 1.65))
     names = ("latex", "nh", "svk", "uni", "all")
     return Inputs(materials=tuple(folder / f"{name}.json" for name in names), data=(latex, rubber))
 

@@ -83,7 +83,7 @@ def test_a_law_is_fitted_and_comes_back_from_its_file(tmp_path):
         "jm": result.constants["jm"],
     }
     assert from_description(describe(material)).law == material.law
-    material_stage.run(TRELOAR, "gent", "rubber", None, None, tmp_path / "rubber.json")
+    material_stage.run("gent", "rubber", tmp_path / "rubber.json", csv=TRELOAR)
     assert load_fit(tmp_path / "rubber.json").as_dict() == result.as_dict()
 
 

@@ -22,7 +22,8 @@ LOST = [
 # one job makes these together
 TOGETHER = [
     {"results/quick/summary/states.csv", "results/quick/summary/stability.csv", LOST[6]},
-    {f"results/quick/claims/{name}" for name in ("claims.csv", "claims.html", "table1.csv")},
+    {f"results/quick/claims/{name}" for name in ("claims.csv", "claims.html", "claims.md")}
+    | {"results/quick/claims/table1.csv"},
     {"figures/quick/fig03_surface.png", "figures/quick/fig03_surface.pdf"},
 ]
 ABOUT_RUNS = ("results/quick/log/", "results/quick/benchmark/")

@@ -1,5 +1,6 @@
 rule claims:
     input:
+        unpack(tables_of_analyses),
         states=PATHS.pattern("summary", "states"),
         stability=PATHS.pattern("summary", "stability"),
         peaks=PATHS.pattern("summary", "peaks"),
@@ -17,6 +18,7 @@ rule claims:
             category=CATALOGUE.tables_part,
             labels={"figure": "", "shows": "claims"},
         ),
+        markdown=PATHS.pattern("claims", "markdown"),
         tables=[
             report(
                 filled(PATHS.pattern("claims", "tables"), {"table": entry.name}),

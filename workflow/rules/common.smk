@@ -7,6 +7,7 @@ import sys
 from dataclasses import astuple
 from pathlib import Path
 
+from wrinklestudy.results.analyses import input_name
 from wrinklestudy.results.cases import NAME_PATTERN, VALUE_PATTERN, Case, StudySheet, parse_value
 from wrinklestudy.results.paths import STAGES, Paths, filled
 from wrinklestudy.study import figure_contents, plan, targets
@@ -82,6 +83,12 @@ def material_setting(key):
     return lambda wildcards: getattr(STUDY.materials[wildcards.material], key)
 
 
+def data_of_material(wildcards):
+    """The measured curve of a material; none if its constants are given."""
+    data = STUDY.materials[wildcards.material].data
+    return {} if data is None else {"csv": data}
+
+
 def material_of_model(wildcards):
     return PATHS.of("material", material=STUDY.base(wildcards.material))
 
@@ -110,6 +117,21 @@ def wrinkle_of_sheet(wildcards):
     return [PATHS.of_case("wrinkle", case) for case in STUDY.cases_of(sheet_of(wildcards))]
 
 
+def files_of_analyses(stages, outputs=None):
+    """The files of analyses over the whole study, under the names that figures and claims take."""
+    return {
+        input_name(stage, output): plan.files_of_output(STUDY, PATHS, stage, output)
+        for stage in stages
+        for output in STAGES[stage].outputs
+        if outputs is None or output in outputs
+    }
+
+
+def tables_of_analyses(_wildcards):
+    """The tables of all analyses, from which claims are judged."""
+    return files_of_analyses([stage for stage in STAGES if STAGES[stage].analysis], ["table"])
+
+
 def inputs_of_figure(wildcards):
     """What a figure shows and nothing else: materials, tables of some sheets, states, measurements."""
     figure = CATALOGUE.figure(wildcards.figure)
@@ -124,6 +146,11 @@ def inputs_of_figure(wildcards):
             PATHS.of_case("wrinkle", case) for case in figure_contents.states_shown(STUDY, figure)
         ],
         "experiment": figure_contents.measured(STUDY, figure),
+        "constants": [
+            PATHS.of("material", material=name)
+            for name in figure_contents.constants_shown(STUDY, figure)
+        ],
+        **files_of_analyses(figure.analyses),
     }
 
 
@@ -140,7 +167,7 @@ def study_digest():
     """Digest of all that the results depend on: config, code, measured data."""
     codes = [code(stage) for stage in STAGES]
     codes += [code_of_claims(), *(code_of_figure(figure.name) for figure in STUDY.figures_to_make)]
-    files = {material.data for material in STUDY.materials.values()}
+    files = {material.data for material in STUDY.materials.values() if material.data is not None}
     files |= {
         path for figure in STUDY.figures_to_make for path in figure_contents.measured(STUDY, figure)
     }

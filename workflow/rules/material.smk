@@ -1,6 +1,6 @@
 rule material:
     input:
-        csv=material_setting("data"),
+        unpack(data_of_material),
     output:
         PATHS.pattern("material"),
     log:
@@ -13,6 +13,7 @@ rule material:
     params:
         name=wildcard("material"),
         law=material_setting("law"),
+        constants=material_setting("constants"),
         stretch=material_setting("stretch"),
         modes=material_setting("modes"),
         branch=material_setting("branch"),

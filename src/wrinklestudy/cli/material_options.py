@@ -98,8 +98,11 @@ def _of_file(path: str) -> "Material":
 
 def _of_config(name: str, path: str) -> "Material":
     from wrinklestudy.material.fit import fit
+    from wrinklestudy.mechanics.laws import law_of
     from wrinklestudy.study.config.one_material import read_material
 
     block = read_material(path, name)
-    options = block.model_dump(exclude={"data", "law"})
+    if block.data is None:
+        return law_of(block.law).material(**(block.constants or {}))
+    options = block.model_dump(exclude={"data", "law", "constants"})
     return fit(block.data, block.law, **options).material()

@@ -6,6 +6,7 @@ numbers give the same file: `format_value` and `parse_value`.
 
 import math
 import re
+from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
@@ -164,3 +165,20 @@ def cases(
             }
         )
     )
+
+
+def strains_by_length(
+    series: Iterable[tuple[str, Sequence[float], Sequence[float]]],
+) -> dict[tuple[str, float], tuple[float, ...]]:
+    """Return the strains of each model and L/W, sorted and without repetitions.
+
+    Parameters
+    ----------
+    series : iterable
+        (material, aspects, strains); a series means all combinations of them.
+    """
+    strains_of: defaultdict[tuple[str, float], set[float]] = defaultdict(set)
+    for material, aspects, strains in series:
+        for aspect in aspects:
+            strains_of[material, canonical(aspect)] |= set(map(canonical, strains))
+    return {length: tuple(sorted(strains_of[length])) for length in sorted(strains_of)}

@@ -18,10 +18,14 @@ class Stage:
         wildcards say what each job is for; logs and run times are named after the first output.
     wanted : bool
         Whether a study is run for these files; others are only needed on the way to them.
+    analysis : bool
+        Whether it has a block of its own in the config, with a job for each model and L/W there;
+        figures and claims read its output ``table``.
     """
 
     outputs: Mapping[str, str]
     wanted: bool = False
+    analysis: bool = False
 
 
 _SHEET = "{material}/aspect{aspect}_thickness{thickness}"
@@ -41,7 +45,13 @@ STAGES: Mapping[str, Stage] = {
     ),
     "figures": Stage({"pdf": "{figure}.pdf", "png": "{figure}.png"}, wanted=True),
     "claims": Stage(
-        {"csv": "claims.csv", "page": "claims.html", "tables": "{table}.csv"}, wanted=True
+        {
+            "csv": "claims.csv",
+            "page": "claims.html",
+            "markdown": "claims.md",
+            "tables": "{table}.csv",
+        },
+        wanted=True,
     ),
     "gate": Stage({"counts": "gate.json"}),
 }

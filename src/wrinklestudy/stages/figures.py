@@ -22,6 +22,8 @@ def run(
     states: Sequence[AnyPath] = (),
     data: Sequence[AnyPath] = (),
     experiment: Sequence[AnyPath] = (),
+    constants: Sequence[AnyPath] = (),
+    **analyses: AnyPath | Sequence[AnyPath],
 ) -> None:
     """Draw one figure and write it in all formats asked for.
 
@@ -49,6 +51,11 @@ def run(
     experiment : sequence of path-like
         Files of measured data (`wrinklestudy.study.measurements`), of the kinds that the entry of
         the figure names.
+    constants : sequence of path-like
+        Files of the material stage, for their constants.
+    **analyses : path-like or sequence of path-like
+        Files of the analyses that the entry of the figure names, by
+        `results.analyses.input_name`.
 
     Raises
     ------
@@ -63,6 +70,7 @@ def run(
             allowed = ", ".join(SUFFIXES)
             raise ValueError(f"{path}: a figure must end in one of {allowed}")
 
+    from wrinklestudy.results.analyses import analysis_files
     from wrinklestudy.study.figures import style
     from wrinklestudy.study.figures.inputs import Inputs
 
@@ -73,6 +81,8 @@ def run(
         states=_paths(states),
         data=_paths(data),
         experiment=_paths(experiment),
+        constants=_paths(constants),
+        analyses=analysis_files(analyses),
     )
     with style.applied():
         draw = getattr(import_module(module), "draw", None)

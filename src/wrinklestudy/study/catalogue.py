@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from wrinklestudy.results.cases import NAME_PATTERN
+from wrinklestudy.results.paths import STAGES
 from wrinklestudy.study.selections import Sheets, SheetsOfConfig, no_sheets
 
 # Kinds of measured data: `study.measurements`.
@@ -43,12 +44,18 @@ class FigureEntry:
     measured : tuple of str
         Kinds of measured data drawn over it, out of `MEASURED_KINDS`.
     materials : bool
-        Whether the figure compares the materials of the study.
+        Whether the figure compares the fitted materials of the study.
+    constants : bool
+        Whether the figure needs the constants of materials: those of its sheets, and all that are
+        fitted.
+    analyses : tuple of str
+        Stages that are analyses (`results.paths.Stage`) whose files the figure is drawn from, those
+        of the whole study.
 
     Raises
     ------
     ValueError
-        If the name cannot be a file name, or a kind of measured data is unknown.
+        If the name cannot be a file name, or a kind of measured data or an analysis is unknown.
     """
 
     name: str
@@ -61,6 +68,8 @@ class FigureEntry:
     strains: tuple[float, ...] | Literal["all"] = ()
     measured: tuple[str, ...] = ()
     materials: bool = False
+    constants: bool = False
+    analyses: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         """Refuse what would fail only in a job."""
@@ -69,6 +78,11 @@ class FigureEntry:
             if kind not in MEASURED_KINDS:
                 allowed = ", ".join(MEASURED_KINDS)
                 raise ValueError(f"figure {self.name!r}: measured = {kind!r}: allowed: {allowed}")
+        known = [stage for stage in STAGES if STAGES[stage].analysis]
+        for stage in self.analyses:
+            if stage not in known:
+                allowed = ", ".join(known)
+                raise ValueError(f"figure {self.name!r}: analyses = {stage!r}: allowed: {allowed}")
 
     def strains_shown(self, available: Sequence[float]) -> list[float]:
         """Return the strains whose states the figure shows, out of those that a study has.
@@ -131,6 +145,29 @@ class TableEntry:
 
 
 @dataclass(frozen=True, kw_only=True)
+class SectionEntry:
+    """One question of a study, and what answers it, as a section of its Markdown page.
+
+    Parameters
+    ----------
+    number : int
+        Its claims are those whose `Claim.order` begins with this number.
+    title : str
+        Heading.
+    asked : str
+        What was asked, in a sentence or two; Markdown.
+    figures, tables : tuple of str
+        Names in the catalogue.
+    """
+
+    number: int
+    title: str
+    asked: str
+    figures: tuple[str, ...] = ()
+    tables: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
 class Catalogue:
     """Everything that a study shows.
 
@@ -151,11 +188,13 @@ class Catalogue:
         Further tables.
     tables_part : str
         Part of the report for tables and claims.
+    sections : tuple of SectionEntry
+        What the Markdown page of the claims is made of; one section with all claims if empty.
 
     Raises
     ------
     ValueError
-        If two figures or two tables have the same name.
+        If two figures or two tables have the same name, or a section names one that is not there.
     """
 
     name: str
@@ -165,9 +204,10 @@ class Catalogue:
     claims: str = ""
     tables: tuple[TableEntry, ...] = ()
     tables_part: str = "Tables and claims"
+    sections: tuple[SectionEntry, ...] = ()
 
     def __post_init__(self) -> None:
-        """Refuse names that stand for two things."""
+        """Refuse names that stand for two things, or for nothing."""
         for kind, names in (
             ("figure", self.figure_names),
             ("table", tuple(entry.name for entry in self.tables)),
@@ -175,6 +215,11 @@ class Catalogue:
             twice = [name for name in dict.fromkeys(names) if names.count(name) > 1]
             if twice:
                 raise ValueError(f"{kind} {twice[0]!r}: is in the catalogue twice")
+        for section in self.sections:
+            for name in section.figures:
+                self.figure(name)
+            for name in section.tables:
+                self.table(name)
 
     @property
     def figure_names(self) -> tuple[str, ...]:
@@ -193,6 +238,20 @@ class Catalogue:
             if entry.name == name:
                 return entry
         raise ValueError(f"figure {name!r}: must be one of {', '.join(self.figure_names)}")
+
+    def table(self, name: str) -> TableEntry:
+        """Return the entry of a further table.
+
+        Raises
+        ------
+        ValueError
+            If there is no such table.
+        """
+        for entry in self.tables:
+            if entry.name == name:
+                return entry
+        names = ", ".join(entry.name for entry in self.tables)
+        raise ValueError(f"table {name!r}: must be one of {names}")
 
 
 def _check_name(kind: str, name: str) -> None:

@@ -11,8 +11,17 @@ from wrinklestudy.study.selections import Sheets
 
 
 def materials_shown(study: StudyConfig, figure: FigureEntry) -> tuple[str, ...]:
-    """Return the names of the materials that a figure compares."""
-    return tuple(sorted(study.materials)) if figure.materials else ()
+    """Return the names of the materials that a figure compares: those fitted to data."""
+    fitted = [name for name, material in study.materials.items() if material.data is not None]
+    return tuple(sorted(fitted)) if figure.materials else ()
+
+
+def constants_shown(study: StudyConfig, figure: FigureEntry) -> tuple[str, ...]:
+    """Return the names of the materials whose constants a figure needs: see `FigureEntry`."""
+    if not figure.constants:
+        return ()
+    fitted = {name for name, material in study.materials.items() if material.data is not None}
+    return tuple(sorted(fitted | {study.base(s.material) for s in sheets_shown(study, figure)}))
 
 
 def sheets_shown(study: StudyConfig, figure: FigureEntry) -> Sheets:
@@ -50,17 +59,23 @@ def cases_text(study: StudyConfig, figure: FigureEntry) -> str:
     """Return the cases or materials that a figure shows, for its caption."""
     if figure.materials:
         fits = (
-            f"{name} ({material.law}, {material.data})"
-            for name, material in study.materials.items()
+            f"{name} ({study.materials[name].law}, {study.materials[name].data})"
+            for name in materials_shown(study, figure)
         )
         return ", ".join(fits)
     states = states_shown(study, figure)
     shown = {study.figure_sheet: states} if states else {}
     shown |= {sheet: study.cases_of(sheet) for sheet in sheets_shown(study, figure)}
-    return "; ".join(
+    texts = [
         f"{sheet.material}, {_size(sheet)}: {_strains_text([case.strain for case in cases])}"
         for sheet, cases in shown.items()
-    )
+    ]
+    texts += [
+        f"{stage} of {model}, L/W = {format_value(aspect)}: {_strains_text(list(strains))}"
+        for stage in figure.analyses
+        for (model, aspect), strains in study.analyses(stage).items()
+    ]
+    return "; ".join(texts)
 
 
 def mesh_text(study: StudyConfig, figure: FigureEntry) -> str:

@@ -12,23 +12,29 @@ def files_of(study: StudyConfig, paths: Paths, stage: str) -> list[str]:
 
     There is one job for each value of the wildcards in the paths of the stage: for each figure
     with ``{figure}``, for each further table of the claims with ``{table}``, for each material with
-    ``{material}`` alone, and otherwise for each combination that the cases of the study have.
+    ``{material}`` alone, for each model and L/W in the block of an analysis, and otherwise for each
+    combination that the cases of the study have.
     """
-    files = []
-    for output in STAGES[stage].outputs:
-        pattern = paths.pattern(stage, output)
-        names = {name for _, name, _, _ in Formatter().parse(pattern) if name}
-        jobs: Iterable[Mapping[str, str | float]]
-        if names == {"figure"}:
-            jobs = [{"figure": name} for name in sorted(f.name for f in study.figures_to_make)]
-        elif names == {"table"}:
-            jobs = [{"table": entry.name} for entry in study.catalogue.tables]
-        elif names == {"material"}:
-            jobs = [{"material": name} for name in sorted(study.materials)]
-        else:
-            jobs = [case_wildcards(case) for case in study.cases]
-        files += [filled(pattern, job) for job in jobs]
-    return list(dict.fromkeys(files))
+    outputs = STAGES[stage].outputs
+    return [file for output in outputs for file in files_of_output(study, paths, stage, output)]
+
+
+def files_of_output(study: StudyConfig, paths: Paths, stage: str, output: str) -> list[str]:
+    """Return the files of one output of a stage in a study, without repetitions."""
+    pattern = paths.pattern(stage, output)
+    names = {name for _, name, _, _ in Formatter().parse(pattern) if name}
+    jobs: Iterable[Mapping[str, str | float]]
+    if names == {"figure"}:
+        jobs = [{"figure": name} for name in sorted(f.name for f in study.figures_to_make)]
+    elif names == {"table"}:
+        jobs = [{"table": entry.name} for entry in study.catalogue.tables]
+    elif STAGES[stage].analysis:
+        jobs = [{"material": model, "aspect": aspect} for model, aspect in study.analyses(stage)]
+    elif names == {"material"}:
+        jobs = [{"material": name} for name in sorted(study.materials)]
+    else:
+        jobs = [case_wildcards(case) for case in study.cases]
+    return list(dict.fromkeys(filled(pattern, job) for job in jobs))
 
 
 def wanted_files(study: StudyConfig, paths: Paths) -> list[str]:

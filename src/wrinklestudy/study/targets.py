@@ -19,6 +19,13 @@ _LIMITS = {
     "strain": STRAIN,
 }
 
+# Stages whose jobs take all strains of the config, and what it lacks where there are none.
+_NEEDS_STRAINS = {
+    "metrics": "this sheet (sheets)",
+    "map": "this model and L/W (maps)",
+    "tension": "this material and L/W (tension)",
+}
+
 
 def refusal(target: str, study: StudyConfig, paths: Paths) -> str | None:
     """Return why a file asked for cannot be made; None if it can, or if it is no result.
@@ -52,8 +59,9 @@ def refusal(target: str, study: StudyConfig, paths: Paths) -> str | None:
                     "material": _models(study, stage),
                 }
                 faults = [*_unknown(texts, known), *_outside(texts)] or _misspelt(pattern, texts)
-                if not faults and stage == "metrics" and path not in files_of(study, paths, stage):
-                    faults = ["the config has no strains for this sheet (sheets)"]
+                needs_strains = stage == "metrics" or written.analysis
+                if not faults and needs_strains and path not in files_of(study, paths, stage):
+                    faults = [f"the config has no strains for {_NEEDS_STRAINS[stage]}"]
                 return f"{target}: {'; '.join(faults)}" if faults else None
     return None
 
@@ -69,8 +77,9 @@ def _wildcards(pattern: str, path: str) -> dict[str, str] | None:
 
 
 def _models(study: StudyConfig, stage: str) -> list[str]:
-    """Return the names allowed for {material}; the material stage is about materials only."""
-    return [*study.materials] if stage == "material" else [*study.materials, *study.variants]
+    """Return the names allowed for {material}; some stages are about materials only."""
+    only_materials = stage in ("material", "tension")
+    return [*study.materials] if only_materials else [*study.materials, *study.variants]
 
 
 def _unknown(texts: Mapping[str, str], known: Mapping[str, Collection[str]]) -> list[str]:

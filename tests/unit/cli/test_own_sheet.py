@@ -83,7 +83,7 @@ def test_a_material_of_a_config_is_its_fit_and_so_is_the_file_of_a_fit(
         f"materials:\n  mine: {{data: {LATEX_CSV}, law: neo-hookean, stretch: [1.0, 1.5]}}\n"
     )
     constants = fit(LATEX_CSV, "neo-hookean", stretch=(1.0, 1.5)).constants
-    material_stage.run(LATEX_CSV, "neo-hookean", "mine", (1.0, 1.5), None, "mine.json")
+    material_stage.run("neo-hookean", "mine", "mine.json", csv=LATEX_CSV, stretch=(1.0, 1.5))
     words = ["solve", "--aspect", "2", "--thickness", "1e-3", *COARSE, "--strain", "0.12"]
     (direct,) = solved(*words, "--law", "neo-hookean", "--c10", repr(constants["c10"]))
     for choice in (["--material", "mine", "--config", "mine.yaml"], ["--material", "mine.json"]):

@@ -26,7 +26,7 @@ from wrinklestudy.mechanics.laws import (
     saint_venant_kirchhoff,
     yeoh,
 )
-from wrinklestudy.results.materials import load_fit, load_material
+from wrinklestudy.results.materials import is_fit, load_fit, load_material
 from wrinklestudy.stages import material
 
 DATA = Path(__file__).parents[3] / "data"
@@ -263,7 +263,7 @@ def _same(one: Fit, other: Fit) -> bool:
 def test_the_material_file_gives_back_every_bit_of_the_fit(tmp_path: Path, law: str) -> None:
     output = tmp_path / "material" / "latex.json"
     window = (1.0, 1.65) if law in SOFT else None  # short of which points few constants are told
-    material.run(TRELOAR, law, "latex", window, ["uniaxial", "biaxial"], output)
+    material.run(law, "latex", output, csv=TRELOAR, stretch=window, modes=["uniaxial", "biaxial"])
     result = fit(TRELOAR, law, stretch=window, modes=["uniaxial", "biaxial"])
     assert _same(load_fit(output), result)
     assert load_material(output) == result.material()
@@ -273,17 +273,17 @@ def test_the_material_file_gives_back_every_bit_of_the_fit(tmp_path: Path, law: 
     assert "Treloar" in content["source_note"]
     assert content["shear_modulus_pa"] == result.material().shear_modulus
     first = output.read_bytes()
-    material.run(TRELOAR, law, "latex", window, ["uniaxial", "biaxial"], output)
+    material.run(law, "latex", output, csv=TRELOAR, stretch=window, modes=["uniaxial", "biaxial"])
     assert output.read_bytes() == first
     assert [path.name for path in output.parent.iterdir()] == ["latex.json"]
 
 
 def test_a_failed_run_leaves_the_older_file(tmp_path: Path) -> None:
     output = tmp_path / "latex.json"
-    material.run(LATEX, "mooney-rivlin", "latex", None, None, output)
+    material.run("mooney-rivlin", "latex", output, csv=LATEX)
     first = output.read_bytes()
     with pytest.raises(ValueError, match="has no shear data"):
-        material.run(LATEX, "mooney-rivlin", "latex", None, ["shear"], output)
+        material.run("mooney-rivlin", "latex", output, csv=LATEX, modes=["shear"])
     assert output.read_bytes() == first
     assert [path.name for path in tmp_path.iterdir()] == ["latex.json"]
 
@@ -303,11 +303,31 @@ def test_a_damaged_material_file_is_refused_by_name(
     tmp_path: Path, change: dict[str, object], message: str
 ) -> None:
     path = tmp_path / "latex.json"
-    material.run(LATEX, "mooney-rivlin", "latex", None, None, path)
+    material.run("mooney-rivlin", "latex", path, csv=LATEX)
     content = json.loads(path.read_text()) | change
     path.write_text(json.dumps({key: value for key, value in content.items() if value is not None}))
     with pytest.raises(ValueError, match=rf"latex\.json: .*{message}"):
-        load_material(path)
+        load_fit(path)
+
+
+@pytest.mark.parametrize(
+    ("law", "constants", "modulus"),
+    [
+        ("mooney-rivlin", {"c10": 1e5, "c01": 2.5e5}, 7e5),  # 2 (C10 + C01)
+        ("svk", {"young": 9e5, "poisson": 0.5}, 3e5),  # Y / 2 (1 + nu)
+        ("svk", {"young": 9e5}, 3e5),  # incompressible by default
+    ],
+)
+def test_given_constants_come_back_as_the_same_material_and_are_no_fit(
+    tmp_path: Path, law: str, constants: dict[str, float], modulus: float
+) -> None:
+    material.run(law, "given", tmp_path / "given.json", constants=constants)
+    loaded = load_material(tmp_path / "given.json")
+    assert loaded == law_of(law).material(**constants)
+    assert loaded.shear_modulus == pytest.approx(modulus, rel=1e-12)
+    assert not is_fit(tmp_path / "given.json")
+    with pytest.raises(ValueError, match=r"given\.json: key 'stretch_range' is missing"):
+        load_fit(tmp_path / "given.json")
 
 
 def test_a_file_that_is_no_material_at_all(tmp_path: Path) -> None:

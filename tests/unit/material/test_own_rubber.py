@@ -366,7 +366,7 @@ def test_the_stage_takes_the_same_options_and_gives_every_bit_back(written, tmp_
     path = written(cyclic())
     options = {"branch": "unloading", "cycle": 1, "preload": "remove"}
     output = tmp_path / "my.json"
-    stage.run(path, "mooney-rivlin", "my", None, None, output, **options)
+    stage.run("mooney-rivlin", "my", output, csv=path, **options)
     result = fit(path, "mooney-rivlin", **options)
     assert load_fit(output).as_dict() == result.as_dict()
     content = json.loads(output.read_text())

@@ -36,7 +36,8 @@ OF_STATES = ("fig02_sheet", "fig03_surface", "fig04_profiles")
 
 
 def run(name, inputs, output):
-    paths = {one.name: getattr(inputs, one.name) for one in fields(inputs)}
+    names = [one.name for one in fields(inputs) if one.name != "analyses"]
+    paths = {name: getattr(inputs, name) for name in names}
     shown = CATALOGUE.figure(name).strains_shown(STRAINS)
     states = [path for path, eps in zip(inputs.states, STRAINS, strict=False) if eps in shown]
     draw_figure(STUDY, name, output=output, **paths | {"states": states})
@@ -295,7 +296,7 @@ def test_the_curve_of_a_fit_goes_through_the_points_that_it_is_of(tmp_path):
     for branch in ("loading", "unloading"):
         files.append(tmp_path / f"{branch}.json")
         options = {"branch": branch, "preload": "remove"}
-        material.run(data, "neo-hookean", branch, None, None, files[-1], **options)
+        material.run("neo-hookean", branch, files[-1], csv=data, **options)
     figure = fig01_stress.draw(Inputs(materials=tuple(files), data=(data,)))
     assert len(figure.axes) == 2
     for axes, part in zip(figure.axes, (1.0, 0.7), strict=True):

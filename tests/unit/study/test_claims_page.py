@@ -85,6 +85,7 @@ def write_study(folder, name="latex"):
         "output": {
             "csv": folder / "out" / "claims.csv",
             "page": folder / "out" / "claims.html",
+            "markdown": folder / "out" / "claims.md",
             "tables": [folder / "out" / "table1.csv"],
         },
     }
@@ -197,7 +198,7 @@ def test_table_1_has_the_formulas_and_leaves_a_cell_empty_where_there_is_no_numb
     assert projected["current_value"] == projected["deviation_from_current"] == ""
 
 
-def test_a_study_without_the_sheet_still_has_all_three_files(study):
+def test_a_study_without_the_sheet_still_has_all_its_files(study):
     run(**study | {"sheet": ("latex", 7.0, 1e-3)})
     assert {row["verdict"] for row in rows_of(study["output"]["csv"])} == {"not computed"}
     assert rows_of(study["output"]["tables"][0]) == []
@@ -206,7 +207,8 @@ def test_a_study_without_the_sheet_still_has_all_three_files(study):
 
 def test_the_same_tables_give_the_same_bytes(study):
     run(**study)
-    files = [study["output"]["csv"], study["output"]["page"], *study["output"]["tables"]]
+    files = [study["output"][name] for name in ("csv", "page", "markdown")]
+    files += study["output"]["tables"]
     first = [path.read_bytes() for path in files]
     rows = rows_of(study["states"])
     write_csv(study["states"], COLUMNS, rows[::-1])

@@ -135,6 +135,64 @@ STRAIN = ("sheets", 0, "strain")
             "shift",
             "materials.latex.preload = 'shift': must be 'keep' or 'remove'",
         ),
+        (
+            ("materials", "latex", "data"),
+            DELETED,
+            "materials.latex: must have data (a CSV file) or constants",
+        ),
+        (
+            ("materials", "latex", "constants"),
+            {"c10": 1e5, "c01": 2e5},
+            "materials.latex: data is for a fit, and this has constants",
+        ),
+        (
+            ("materials", "given"),
+            {"law": "mooney-rivlin", "constants": {"c10": 1e5, "c01": -1}},
+            "materials.given.constants: c01 = -1: must be >= 0 Pa",
+        ),
+        (
+            ("materials", "given"),
+            {"law": "svk", "constants": {"c10": 1e5}},
+            "materials.given.constants: c10: not a constant of svk, which takes young, poisson",
+        ),
+        (
+            ("materials", "given"),
+            {"law": "svk", "constants": {"young": "stiff"}},
+            "materials.given.constants.young = 'stiff': must be a number",
+        ),
+        (
+            ("maps",),
+            [{"material": "latx", "aspect": [2], "strain": [0.1]}],
+            "maps[0].material = 'latx': is not in materials or variants; did you mean latex? "
+            f"allowed: {', '.join([*RAW['materials'], *RAW['variants']])}",
+        ),
+        (
+            ("maps",),
+            [{"material": "latex", "aspect": [0.1], "strain": [0.1]}],
+            "maps[0].aspect[0] = 0.1: must be a number >= 0.5 and <= 20 (L/W)",
+        ),
+        (
+            ("maps",),
+            [{"material": "latex", "aspect": [2], "thickness": [1e-3], "strain": [0.1]}],
+            "maps[0].thickness: unknown key; allowed: material, aspect, strain",
+        ),
+        (
+            ("tension",),
+            [{"material": "latex-fvk", "aspect": [2], "strain": [0.1]}],
+            "tension[0].material = 'latex-fvk': is not in materials; did you mean latex-svk? "
+            f"allowed: {', '.join(RAW['materials'])}",
+        ),
+        (
+            ("tension",),
+            [
+                {
+                    "material": "latex",
+                    "aspect": [2],
+                    "strain": {"start": 0.3, "stop": 0.1, "step": 0.1},
+                }
+            ],
+            "tension[0].strain.stop = 0.1: must be >= start = 0.3",
+        ),
         (("materials",), {}, "materials = {}: must be a block with at least one material"),
         (
             ("figures", "sheet", "material"),
@@ -423,7 +481,11 @@ def test_the_default_study_has_the_sheets_of_the_paper():
 @pytest.mark.parametrize(
     ("path", "value", "line"),
     [
-        (("study",), "panaitescu", "study = 'panaitescu': must be one of panaitescu2019, or a "),
+        (
+            ("study",),
+            "panaitescu",
+            "study = 'panaitescu': must be one of beyond, panaitescu2019, or a ",
+        ),
         (("study",), 2019, "study = 2019: must be text"),
         (("figures", "names"), [], "figures.names = []: must be a list with at least one entry"),
         (
@@ -475,3 +537,21 @@ def test_a_key_left_out_has_the_value_of_the_library():
     assert planar.PlanarSettings(**study.settings("stability")) == planar.PlanarSettings()
     assert wrinkled.WrinkleSettings(**study.settings("wrinkle")) == wrinkled.WrinkleSettings()
     assert parse_config(RAW, "config.yaml").model_dump() == study.model_dump()
+
+
+def test_the_entries_of_an_analysis_are_joined_by_model_and_length():
+    entries = [
+        {"material": "latex-fvk", "aspect": [3, 2.0], "strain": [0.2, 0.1]},
+        {
+            "material": "latex-fvk",
+            "aspect": [2],
+            "strain": {"start": 0.2, "stop": 0.3, "step": 0.1},
+        },
+    ]
+    study = parse_config(changed(("maps",), entries), "c")
+    assert study.maps == {
+        ("latex-fvk", 2.0): (0.1, 0.2, 0.3),
+        ("latex-fvk", 3.0): (0.1, 0.2),
+    }
+    assert study.analyses("map") == study.maps
+    assert study.tension == {}

@@ -127,7 +127,10 @@ def test_a_module_without_draw_is_told_before_anything_is_written(toy):
 @pytest.mark.parametrize(
     ("study", "message"),
     [
-        ("panaitescu2091", r"study = 'panaitescu2091': must be one of panaitescu2019, or a folder"),
+        (
+            "panaitescu2091",
+            r"study = 'panaitescu2091': must be one of beyond, panaitescu2019, or a folder",
+        ),
         ("nowhere/toy.py", r"study = 'nowhere/toy.py': must be one of"),
         ("toy/claims/README.md", r"must be one of"),
         ("my-toy", r"study = 'my-toy': 'my-toy' must be a name that Python can import"),

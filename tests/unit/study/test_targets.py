@@ -21,6 +21,8 @@ RAW = {
         {"material": "rubber", "aspect": [2, 3], "thickness": [1e-3, 2e-3], "strain": [0.1, 0.2]},
         {"material": "thick", "aspect": [2], "thickness": [5e-4], "strain": [0.1]},
     ],
+    "maps": [{"material": "thick", "aspect": [2, 3], "strain": [0.1, 0.2]}],
+    "tension": [{"material": "rubber", "aspect": [2], "strain": [0.1, 0.2]}],
     "figures": {
         "names": ["fig07_width"],
         "sheet": {"material": "rubber", "aspect": 2, "thickness": 1e-3},
@@ -46,7 +48,7 @@ def test_the_files_of_a_study_follow_from_its_cases():
         "metrics": 5,
         "summary": 3,
         "figures": 2,
-        "claims": 3,
+        "claims": 4,
         "gate": 1,
     }
 

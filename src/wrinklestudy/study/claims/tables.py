@@ -1,18 +1,23 @@
 """The study as the claims see it: its sheets and materials, read from the tables."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from os import fspath
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from wrinklestudy.files.storage import read_json
 from wrinklestudy.material.result import Fit
-from wrinklestudy.results.materials import load_fit
+from wrinklestudy.mechanics.laws import Material
+from wrinklestudy.results.analyses import joined_table
+from wrinklestudy.results.materials import is_fit, load_fit, load_material
 from wrinklestudy.results.rows import SheetIdentity, columns
 from wrinklestudy.results.sheets import MissingError, SheetStates
-from wrinklestudy.typing import AnyPath
+from wrinklestudy.typing import AnalysisFiles, AnyPath
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 _ATTRIBUTES = tuple(name for name in columns(SheetIdentity) if name != "material")
 _SYMBOLS = {"aspect": "L/W", "thickness": "t/W"}
@@ -49,11 +54,30 @@ class StudyTables:
     materials : tuple of FittedMaterial
     wanted : tuple of (str, float, float)
         Name of the model, L/W and t/W of the paper's sheet.
+    given : mapping
+        The materials whose constants are given, by name.
+    analyses : mapping
+        Files of all analyses of the study, by stage and output.
     """
 
     sheets: tuple[SheetStates, ...] = field(repr=False)
     materials: tuple[FittedMaterial, ...] = field(repr=False)
     wanted: tuple[str, float, float]
+    given: Mapping[str, Material] = field(default_factory=dict, repr=False)
+    analyses: AnalysisFiles = field(default_factory=dict, repr=False)
+
+    def table(self, analysis: str) -> "pd.DataFrame":
+        """Return the table of an analysis (a stage such as ``map``) over the whole study.
+
+        Raises
+        ------
+        MissingError
+            If the study has none.
+        """
+        paths = self.analyses.get(analysis, {}).get("table", ())
+        if not paths:
+            raise MissingError(f"any {analysis}")
+        return joined_table(paths)
 
     @property
     def sheet(self) -> SheetStates:
@@ -143,10 +167,12 @@ class StudyTables:
         return of_base.fit.source == of_sheet.fit.source
 
     def _material_of(self, sheet: SheetStates) -> FittedMaterial | None:
-        """Return the material of a model: by name or, for a variant, by its modulus."""
+        """Return the fitted material of a model: by name or, for a variant, by its modulus."""
         for material in self.materials:
             if material.name == sheet.material:
                 return material
+        if sheet.material in self.given:
+            return None
         moduli = sheet.columns["young_modulus_pa"]
         known = moduli[np.isfinite(moduli)]
         for material in self.materials:
@@ -163,6 +189,7 @@ def load(
     peaks: AnyPath,
     materials: Sequence[AnyPath],
     sheet: tuple[str, float, float],
+    analyses: AnalysisFiles | None = None,
 ) -> StudyTables:
     """Read a study from the tables of the summary stage and its material files.
 
@@ -174,6 +201,8 @@ def load(
         Files of the material stage.
     sheet : tuple of (str, float, float)
         Model, L/W and t/W of the paper's sheet.
+    analyses : mapping, optional
+        Files of the analyses, by stage and output; read when a claim asks for them.
 
     Raises
     ------
@@ -185,11 +214,15 @@ def load(
 
     sheets = load_study(states, stability, peaks)
     name, aspect, thickness = sheet
-    loaded = tuple(
-        FittedMaterial(_name(path), load_fit(fspath(path)), read_json(path).get("source_note", ""))
-        for path in sorted(materials, key=fspath)
+    paths = sorted(fspath(path) for path in materials)
+    fitted = tuple(
+        FittedMaterial(_name(path), load_fit(path), read_json(path).get("source_note", ""))
+        for path in paths
+        if is_fit(path)
     )
-    return StudyTables(tuple(sheets), loaded, (name, float(aspect), float(thickness)))
+    given = {_name(path): load_material(path) for path in paths if not is_fit(path)}
+    wanted = (name, float(aspect), float(thickness))
+    return StudyTables(tuple(sheets), fitted, wanted, given, analyses or {})
 
 
 def _name(path: AnyPath) -> str:

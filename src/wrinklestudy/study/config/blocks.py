@@ -1,17 +1,28 @@
 """The blocks of a config: each key with its limits, its default and the stages that take it."""
 
 from collections.abc import Mapping
-from typing import Annotated, Any
+from typing import Annotated, Any, Self
 
-from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    Discriminator,
+    Field,
+    Tag,
+    ValidationInfo,
+    field_validator,
+    model_validator,
+)
+from pydantic_core import PydanticCustomError
 
 from wrinklestudy.material.branches import BRANCHES
 from wrinklestudy.material.homogeneous import MODES as DEFORMATIONS
 from wrinklestudy.material.preload import TREATMENTS
 from wrinklestudy.mechanics.bending import BENDING_LAWS
-from wrinklestudy.mechanics.laws import LAWS
+from wrinklestudy.mechanics.laws import LAWS, law_of
 from wrinklestudy.results import cases
 from wrinklestudy.study.config.values import (
+    SAID,
     Aspect,
     Count,
     Filled,
@@ -45,10 +56,13 @@ class Block(BaseModel):
 
 
 class MaterialBlock(Block):
-    """Measured stress-strain data and the law that is fitted to it."""
+    """A law with measured stress-strain data that it is fitted to, or with its constants."""
 
-    data: Place = Field(description="CSV file with stress against strain")
+    data: Place | None = Field(default=None, description="CSV file with stress against strain")
     law: LawName = Field(description="law to fit")
+    constants: dict[Name, Annotated[float, Field(allow_inf_nan=False), Number]] | None = Field(
+        default=None, description="constants of the law in place of data: in Pa, or pure numbers"
+    )
     stretch: Window | None = Field(
         default=None, description="lowest and highest stretch to fit; all of the data if left out"
     )
@@ -65,6 +79,31 @@ class MaterialBlock(Block):
         default="keep",
         description="a stress at stretch 1: kept, or removed from all stresses",
     )
+
+    @field_validator("constants")
+    @classmethod
+    def _allowed(
+        cls, constants: dict[str, float] | None, info: ValidationInfo
+    ) -> dict[str, float] | None:
+        """Refuse constants that the law does not have or allow, in the words of the law."""
+        if constants is not None and "law" in info.data:
+            try:
+                law_of(info.data["law"]).material(**constants)
+            except ValueError as error:
+                raise PydanticCustomError(SAID, "{text}", {"text": str(error)}) from None
+        return constants
+
+    @model_validator(mode="after")
+    def _fitted_or_given(self) -> Self:
+        """Refuse data beside constants, keys of a fit beside constants, and neither."""
+        given = self.model_fields_set
+        if self.constants is None and self.data is None:
+            text = "must have data (a CSV file) or constants"
+        elif self.constants is not None and given - {"law", "constants"}:
+            text = f"{min(given - {'law', 'constants'})} is for a fit, and this has constants"
+        else:
+            return self
+        raise PydanticCustomError(SAID, "{text}", {"text": text})
 
 
 class VariantBlock(Block):
@@ -89,12 +128,11 @@ def _strain_kind(value: Any) -> str:
     return "range" if isinstance(value, Mapping | StrainRange) else "list"
 
 
-class SheetsBlock(Block):
-    """All combinations of the listed aspects, thicknesses and strains."""
+class AnalysisBlock(Block):
+    """All combinations of the listed aspects and strains, for what holds at any thickness."""
 
     material: Name = Field(description="one of the materials or variants")
     aspect: Filled[Aspect] = Field(description="length over width, L/W")
-    thickness: Filled[Thickness] = Field(description="thickness over width, t/W")
     strain: Annotated[
         Annotated[Filled[Strain], Tag("list")] | Annotated[StrainRange, Tag("range")],
         Discriminator(_strain_kind),
@@ -106,6 +144,12 @@ class SheetsBlock(Block):
         if isinstance(self.strain, StrainRange):
             return cases.strain_range(self.strain.start, self.strain.stop, self.strain.step)
         return tuple(sorted({cases.canonical(strain) for strain in self.strain}))
+
+
+class SheetsBlock(AnalysisBlock):
+    """All combinations of the listed aspects, thicknesses and strains."""
+
+    thickness: Filled[Thickness] = Field(description="thickness over width, t/W")
 
 
 class MeshBlock(Block):

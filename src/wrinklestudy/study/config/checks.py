@@ -9,7 +9,12 @@ from typing import Any
 from pydantic import ValidationError
 
 from wrinklestudy.results import cases
-from wrinklestudy.study.config.blocks import FigureSheetBlock, SheetsBlock, StrainRange
+from wrinklestudy.study.config.blocks import (
+    AnalysisBlock,
+    FigureSheetBlock,
+    SheetsBlock,
+    StrainRange,
+)
 from wrinklestudy.study.config.model import StudyConfig
 from wrinklestudy.study.config.spelling import misleading
 from wrinklestudy.study.config.wording import closest, lines
@@ -103,6 +108,8 @@ def wrong_places(study: StudyConfig) -> Iterator[str]:
             if place.exists() and not place.is_dir():
                 yield f"folders.{key} = {folder!r}: must be a folder; {place} is a file"
     for name, material in study.materials.items():
+        if material.data is None:
+            continue
         data = Path(material.data)
         if not data.is_file():
             fault = "it is a folder" if data.is_dir() else "there is no such file"
@@ -113,15 +120,25 @@ def _contradictions(study: StudyConfig) -> Iterator[str]:
     """Yield the contradictions between keys that are right by themselves."""
     yield from _wrong_study(study)
     yield from _wrong_variants(study)
-    known = [*study.materials, *study.variants]
-    for i, series in enumerate(study.sheets):
-        key = f"sheets[{i}]"
+    materials = [*study.materials]
+    models = [*materials, *study.variants]
+    yield from _wrong_series("sheets", study.sheets, models, "materials or variants")
+    yield from _wrong_series("maps", study.map_series, models, "materials or variants")
+    # in a tension field there is nothing to bend, and no wrinkle with a parity
+    yield from _wrong_series("tension", study.tension_series, materials, "materials")
+    yield from _missing_figure_sheets(study)
+
+
+def _wrong_series(
+    block: str, entries: Sequence[AnalysisBlock], known: Sequence[str], where: str
+) -> Iterator[str]:
+    for i, series in enumerate(entries):
+        key = f"{block}[{i}]"
         if series.material not in known:
             hint = closest(series.material, known)
-            yield f"{key}.material = {series.material!r}: is not in materials or variants{hint}"
+            yield f"{key}.material = {series.material!r}: is not in {where}{hint}"
         if isinstance(series.strain, StrainRange):
             yield from _wrong_range(f"{key}.strain", series.strain)
-    yield from _missing_figure_sheets(study)
 
 
 def _wrong_study(study: StudyConfig) -> Iterator[str]:

@@ -1,5 +1,6 @@
 """The config of a study as a whole, and what follows from it: cases, sheets, settings."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import cached_property
 from itertools import groupby
@@ -13,6 +14,7 @@ from wrinklestudy.results import cases
 from wrinklestudy.results.cases import Case, StudySheet
 from wrinklestudy.study.catalogue import Catalogue, FigureEntry
 from wrinklestudy.study.config.blocks import (
+    AnalysisBlock,
     Block,
     FiguresBlock,
     FoldersBlock,
@@ -47,6 +49,12 @@ class StudyConfig(Block):
         default_factory=dict, description="variants of the materials by name"
     )
     sheets: Filled[SheetsBlock] = Field(description="the sheets and strains to compute")
+    map_series: tuple[AnalysisBlock, ...] = Field(
+        default=(), alias="maps", description="L/W and strains of maps of the critical thickness"
+    )
+    tension_series: tuple[AnalysisBlock, ...] = Field(
+        default=(), alias="tension", description="L/W and strains of tension fields"
+    )
     mesh: MeshBlock = Field(default_factory=MeshBlock, description="mesh of the quarter sheet")
     plate: PlateBlock = Field(default_factory=PlateBlock, description="model of the sheet")
     solver: SolverBlock = Field(default_factory=SolverBlock, description="settings of the solves")
@@ -109,6 +117,22 @@ class StudyConfig(Block):
     def cases_of(self, sheet: StudySheet) -> tuple[Case, ...]:
         """Return the cases of a sheet by strain; none if the study lacks it."""
         return self._cases_by_sheet.get(sheet, ())
+
+    @cached_property
+    def maps(self) -> Mapping[tuple[str, float], tuple[float, ...]]:
+        """The strains of each map, by model and L/W."""
+        return cases.strains_by_length((s.material, s.aspect, s.strains) for s in self.map_series)
+
+    @cached_property
+    def tension(self) -> Mapping[tuple[str, float], tuple[float, ...]]:
+        """The strains of the tension fields, by material and L/W."""
+        return cases.strains_by_length(
+            (s.material, s.aspect, s.strains) for s in self.tension_series
+        )
+
+    def analyses(self, stage: str) -> Mapping[tuple[str, float], tuple[float, ...]]:
+        """Return the strains of each job of a stage that is an analysis, by model and L/W."""
+        return {"map": self.maps, "tension": self.tension}[stage]
 
     @property
     def figure_sheet(self) -> StudySheet:

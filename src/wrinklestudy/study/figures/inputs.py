@@ -4,21 +4,28 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from wrinklestudy.material.result import Fit
+from wrinklestudy.mechanics.laws import Material
 from wrinklestudy.metrics.interpolant import DeformedSheet
 from wrinklestudy.metrics.profile import Profile, profile_from_state
 from wrinklestudy.metrics.surface import SampledSurface, full_surface
+from wrinklestudy.results.analyses import joined_table
 from wrinklestudy.results.fields import deformed_sheet, read_wrinkle
 from wrinklestudy.results.load import load_sheets
-from wrinklestudy.results.materials import load_fit
+from wrinklestudy.results.materials import load_fit, load_material
 from wrinklestudy.results.sheets import SheetStates
 from wrinklestudy.study import measurements
 from wrinklestudy.study.figures.series import number
 from wrinklestudy.study.figures.style import law_label
 from wrinklestudy.study.measurements import Points, Scan, SheetSize
+from wrinklestudy.typing import AnalysisFiles
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,6 +86,10 @@ class Inputs:
         Material files, wrinkle files, stress-strain files that the materials were fitted to.
     experiment : tuple of Path
         Files of measured data.
+    constants : tuple of Path
+        Material files, for their constants.
+    analyses : mapping
+        Files of the analyses that the entry of the figure names, by stage and output.
     """
 
     metrics: tuple[Path, ...] = ()
@@ -87,6 +98,8 @@ class Inputs:
     states: tuple[Path, ...] = ()
     data: tuple[Path, ...] = ()
     experiment: tuple[Path, ...] = ()
+    constants: tuple[Path, ...] = ()
+    analyses: AnalysisFiles = field(default_factory=dict)
 
     @cached_property
     def series(self) -> list[SheetStates]:
@@ -119,6 +132,58 @@ class Inputs:
     def fits(self) -> list[Fit]:
         """Return the fits of the materials, in the order of the files."""
         return [load_fit(path) for path in self.materials]
+
+    def material(self, name: str) -> Material:
+        """Return a material by its name in the study, fitted or given; see `FigureEntry`.
+
+        Raises
+        ------
+        ValueError
+            If the figure has no file of it.
+        """
+        return load_material(self._constants_of(name))
+
+    def fit(self, name: str) -> Fit:
+        """Return the fit of a material by its name in the study; see `FigureEntry`.
+
+        Raises
+        ------
+        ValueError
+            If the figure has no file of it, or its constants were given.
+        """
+        return load_fit(self._constants_of(name))
+
+    def _constants_of(self, name: str) -> Path:
+        for path in self.constants:
+            if path.stem == name:
+                return path
+        raise ValueError(f"material {name}: no file given, this figure shows its constants")
+
+    def table(self, analysis: str) -> "pd.DataFrame":
+        """Return the table of an analysis over the whole study.
+
+        Raises
+        ------
+        ValueError
+            If the study has none.
+        """
+        return joined_table(self._analysis(analysis, "table"))
+
+    def fields(self, analysis: str) -> list[Path]:
+        """Return the files with the fields of an analysis.
+
+        Raises
+        ------
+        ValueError
+            If the study has none.
+        """
+        return list(self._analysis(analysis, "fields"))
+
+    def _analysis(self, analysis: str, output: str) -> Sequence[Path]:
+        paths = self.analyses.get(analysis, {}).get(output, ())
+        if not paths:
+            raise ValueError(f"{analysis}: no {output} given, this figure shows the analysis")
+        return paths
 
     def measured_stress(self) -> Points | None:
         """Return the measured stress (Pa) against strain, if there is a file."""
