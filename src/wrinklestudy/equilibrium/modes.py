@@ -136,21 +136,11 @@ def deflection_forms(flat: Flat, bending: str, symmetry: Symmetry) -> Deflection
 
 
 class CriticalMode(NamedTuple):
-    """The wrinkle that the thickest unstable sheet has.
+    """The wrinkle that the thickest unstable sheet has."""
 
-    Parameters
-    ----------
-    thickness : float
-        tau_1/W; zero where no thickness wrinkles.
-    shape : (size,) array or None
-        The mode phi as a dof vector with phi . B phi = 1; None where no thickness wrinkles.
-    corner_thickness : float
-        The largest critical thickness of a mode of the corners above tau_1; zero without one.
-    """
-
-    thickness: float
-    shape: Array | None
-    corner_thickness: float
+    thickness: float  # tau_1/W; zero where no thickness wrinkles
+    shape: Array | None  # the mode as in `Modes`; None where no thickness wrinkles
+    corner_thickness: float  # largest of a mode of the corners above tau_1; zero without one
 
 
 class Spectrum(NamedTuple):
