@@ -62,5 +62,6 @@ ASPECT = Limits(0.5, 20.0, unit="L/W")
 # The mesh of a thinner sheet fits in no memory; at smaller strains energies are mostly rounding.
 THICKNESS = Limits(1e-6, 0.05, unit="t/W")
 STRAIN = Limits(1e-7, 1.0)
+JOBS = Limits(1, 1000)  # processes at the same time
 # Cells of the quarter of the reference sheet, along or across.
 CELLS = Limits(2, 500)

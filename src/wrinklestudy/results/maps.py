@@ -82,3 +82,9 @@ def map_row(state: "CriticalState", material: str, law: str, grid: "Grid") -> Ma
         cells_across=across,
         **vars(state),
     )
+
+
+def shown_point(row: MapRow) -> dict[str, Any]:
+    """Return what ``wrinklestudy map --json`` shows of a row."""
+    shown = [column.name for column in columns(MapRow).values() if column.shown]
+    return {name: getattr(row, name) for name in shown}
