@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import FixedLocator, NullLocator
 
 from wrinklestudy.equilibrium.islands import Ridge, ridge_of_table
 from wrinklestudy.study.figures import style
@@ -16,10 +17,12 @@ from wrinklestudy.typing import Array
 if TYPE_CHECKING:
     import pandas as pd
 
+_TICKS = (0.5, 0.7, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 6.0, 8.0, 12.0, 20.0)  # of L/W
 # Contours of t/W or t/L: these times powers of ten
 _STEPS = (1.0, 1.5, 2.0, 3.0, 5.0, 7.0)
 _MOST, _RANGE = 10, 20.0  # contours, and their largest over their smallest
 _NONE = 1e-12  # is drawn for zero, which has no logarithm
+_CROWDED = 0.08  # part of the strains, at small ones, that gets no labels
 _FINE = 301  # points that contours are drawn through, along each axis
 
 
@@ -80,6 +83,9 @@ def contours(axes: Axes, shown: StrainMap, label: Literal["t/W", "t/L"] = "t/W")
         strains, aspects, values, levels=levels, colors=style.BLACK, linewidths=0.5
     )
     axes.clabel(lines, fmt={level: f"${number(level)}$" for level in levels}, fontsize=6)
+    for text in lines.labelTexts:  # where contours crowd labels cover each other
+        if text.get_position()[0] < _CROWDED * strains[-1]:
+            text.set_visible(False)
     axes.set_title(f"${label}$", loc="right", fontsize=7.0, pad=2.0)
 
 
@@ -96,7 +102,7 @@ def _finer(shown: StrainMap) -> tuple[Array, Array, "np.ma.MaskedArray[Any, Any]
     if not np.isfinite(values).all():
         return strains, shown.aspects, np.ma.masked_invalid(values)
     fine = np.linspace(0.0, strains[-1], _FINE)
-    long = np.linspace(shown.aspects[0], shown.aspects[-1], _FINE)
+    long = np.geomspace(shown.aspects[0], shown.aspects[-1], _FINE)
     squared = PchipInterpolator(strains, values**2, axis=1)(fine)
     squared = PchipInterpolator(shown.aspects, squared, axis=0)(long)
     return fine, long, np.ma.masked_invalid(np.sqrt(np.maximum(squared, _NONE**2)))
@@ -118,6 +124,10 @@ def finish(axes: Axes, shown: StrainMap, title: str = "") -> None:
     axes.set_ylim(float(shown.aspects[0]), float(shown.aspects[-1]))
     axes.set_xlabel(r"strain $\varepsilon$")
     axes.set_ylabel("$L/W$")
+    axes.set_yscale("log")  # all that changes much does so below L/W = 3
+    axes.yaxis.set_major_locator(FixedLocator(_TICKS))
+    axes.yaxis.set_major_formatter("{x:g}")
+    axes.yaxis.set_minor_locator(NullLocator())
     axes.set_title(title, loc="left", fontsize=8.0, pad=2.0)
 
 

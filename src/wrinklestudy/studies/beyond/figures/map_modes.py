@@ -2,7 +2,8 @@
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.colors import LogNorm, TwoSlopeNorm
+from matplotlib.colorbar import Colorbar
+from matplotlib.colors import BoundaryNorm, Normalize
 from matplotlib.figure import Figure
 
 from wrinklestudy.studies.beyond import maps
@@ -11,8 +12,10 @@ from wrinklestudy.study.figures.inputs import Inputs
 from wrinklestudy.study.figures.strain_map import StrainMap
 from wrinklestudy.typing import Array
 
-# Differences of the parities below rounding and above a hundredth are drawn as these.
-_LEAST, _MOST = 1e-14, 1e-2
+# Differences of the parities below the error of an eigenvalue and above a hundredth are drawn as
+# these.
+_LEAST, _MOST = 1e-10, 1e-2
+_WAVES = (5, 7, 9, 11, 13, 17, 25, 41)  # between which numbers of half-waves have one colour
 
 
 def draw(inputs: Inputs) -> Figure:
@@ -24,17 +27,30 @@ def draw(inputs: Inputs) -> Figure:
     ):
         odd, even = (rows[rows.parity == parity] for parity in ("antisymmetric", "symmetric"))
         waves = strain_map.of_table(odd, "half_waves")
-        _shade(figure, line[0], waves, waves.values, "half-waves, antisymmetric", LogNorm(6, 40))
+        bar = _shade(figure, line[0], waves, waves.values, BoundaryNorm(_WAVES, 256))
+        bar.set_label("half-waves, antisymmetric")
         place = strain_map.of_table(rows, "largest_at")
-        _shade(figure, line[1], place, place.values, "largest at $|x|/L$")
+        _shade(figure, line[1], place, place.values).set_label("largest at $|x|/L$")
         first, second = strain_map.of_table(odd), strain_map.of_table(even)
-        digits = _digits(first.values, second.values)
-        scale = TwoSlopeNorm(0.0, np.log10(_LEAST / _MOST), -np.log10(_LEAST / _MOST))
-        label = r"$\pm\lg$ difference of the parities"
-        _shade(figure, line[2], first, digits, label, scale, "RdBu")
+        _parities(figure, line[2], first, second)
         for axes, shown in zip(line, (waves, place, first), strict=True):
             strain_map.finish(axes, shown, title if axes is line[0] else "")
     return figure
+
+
+def _parities(figure: Figure, axes: Axes, odd: StrainMap, even: StrainMap) -> None:
+    """Colour by which parity has the larger tau_1, the stronger the larger the difference is."""
+    lowest, highest = np.log10([_LEAST, _MOST])
+    most = highest - lowest
+    bar = _shade(
+        figure, axes, odd, _digits(odd.values, even.values), Normalize(-most, most), "RdBu"
+    )
+    powers = np.arange(lowest + 2.0, highest + 0.5, 3.0)
+    labels = [f"$10^{{{power:.0f}}}$" for power in powers]
+    bar.set_ticks(
+        [*(lowest - powers), *(powers - lowest)], labels=[*(f"$-${x}" for x in labels), *labels]
+    )
+    bar.set_label(r"$\tau_1$ antisymmetric over symmetric, less 1")
 
 
 def _digits(odd: Array, even: Array) -> Array:
@@ -53,11 +69,10 @@ def _shade(
     axes: Axes,
     shown: StrainMap,
     values: Array,
-    label: str,
-    norm: LogNorm | TwoSlopeNorm | None = None,
+    norm: Normalize | None = None,
     colours: str = "viridis",
-) -> None:
-    """Colour the points of a map; white where there is no mode."""
+) -> Colorbar:
+    """Colour the points of a map, white where there is no mode; return the bar of the colours."""
     mesh = axes.pcolormesh(
         shown.strains,
         shown.aspects,
@@ -67,4 +82,4 @@ def _shade(
         shading="nearest",
         rasterized=True,
     )
-    figure.colorbar(mesh, ax=axes, location="top", label=label, aspect=25)
+    return figure.colorbar(mesh, ax=axes, location="top", aspect=25)
