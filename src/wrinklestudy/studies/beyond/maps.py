@@ -29,14 +29,14 @@ def by_model(table: "pd.DataFrame") -> "Iterator[tuple[str, pd.DataFrame]]":
         yield f"{name}: {law_label(first.law)}{bending}", rows
 
 
-class Edges(NamedTuple):
+class BirthAndDecay(NamedTuple):
     """Strains between which a sheet wrinkles on a map; NaN where there is none or it is unknown."""
 
     birth: float
     decay: float
 
 
-def edges(strains: Array, squared: Array, thickness: float) -> Edges:
+def edges(strains: Array, squared: Array, thickness: float) -> BirthAndDecay:
     """Return the first and the last root of tau_1(eps) = t between the strains of a map.
 
     Parameters
@@ -57,7 +57,7 @@ def edges(strains: Array, squared: Array, thickness: float) -> Edges:
 
     birth = root(up[0]) if len(up) else np.nan
     ends = len(down) > 0 and excess[-1] < 0.0
-    return Edges(birth, root(down[-1]) if ends else np.nan)
+    return BirthAndDecay(birth, root(down[-1]) if ends else np.nan)
 
 
 def value_at(shown: StrainMap, aspect: float, strain: float) -> float:
