@@ -6,9 +6,12 @@ from typing import Literal, get_args
 
 Parity = Literal["antisymmetric", "symmetric"]
 Status = Literal["wrinkled", "flat", "not-converged"]
+# Of a flat state, whether small wrinkles grow on sheets that are thin enough.
+MapStatus = Literal["unstable", "stable", "not-converged"]
 
 PARITIES: tuple[Parity, ...] = get_args(Parity)
 STATUSES: tuple[Status, ...] = get_args(Status)
+MAP_STATUSES: tuple[MapStatus, ...] = get_args(MapStatus)
 
 
 @dataclass(frozen=True)
@@ -59,5 +62,6 @@ ASPECT = Limits(0.5, 20.0, unit="L/W")
 # The mesh of a thinner sheet fits in no memory; at smaller strains energies are mostly rounding.
 THICKNESS = Limits(1e-6, 0.05, unit="t/W")
 STRAIN = Limits(1e-7, 1.0)
+JOBS = Limits(1, 1000)  # processes at the same time
 # Cells of the quarter of the reference sheet, along or across.
 CELLS = Limits(2, 500)

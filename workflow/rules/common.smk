@@ -132,6 +132,10 @@ def tables_of_analyses(_wildcards):
     return files_of_analyses([stage for stage in STAGES if STAGES[stage].analysis], ["table"])
 
 
+def strains_of_map(wildcards):
+    return STUDY.maps[wildcards.material, parse_value(wildcards.aspect)]
+
+
 def inputs_of_figure(wildcards):
     """What a figure shows and nothing else: materials, tables of some sheets, states, measurements."""
     figure = CATALOGUE.figure(wildcards.figure)

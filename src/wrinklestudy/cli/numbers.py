@@ -3,7 +3,11 @@
 import argparse
 import math
 import re
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from wrinklestudy.vocabulary import Limits
 
 # What float() takes besides is no number to most people: 1_000, nan, digits of other scripts.
 _NUMBER = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?")
@@ -54,3 +58,30 @@ def numbers(text: str) -> NumberRange:
 def is_negative(text: str) -> bool:
     """Return whether a text is a negative number, or a range that begins with one."""
     return _NUMBER.match(text) is not None and text.startswith("-")
+
+
+def values_within(option: str, entries: Sequence[NumberRange], allowed: "Limits") -> list[float]:
+    """Return the numbers of all entries in the order given, each once.
+
+    Raises
+    ------
+    ValueError
+        If one is not allowed, or the end of a range is not a whole number of steps away.
+    """
+    for entry in entries:
+        for end in entry[:2]:
+            if end not in allowed:
+                raise ValueError(f"{option} = {end:g}: must be {allowed}")
+    return list(dict.fromkeys(x for entry in entries for x in range_values(option, entry, allowed)))
+
+
+def range_values(option: str, entry: NumberRange, allowed: "Limits") -> tuple[float, ...]:
+    """Return the numbers of an entry; see `number_range` for what is allowed."""
+    from wrinklestudy.results.cases import number_range
+
+    if entry.is_single:
+        return (entry.start,)
+    try:
+        return number_range(*entry, allowed)
+    except ValueError as error:
+        raise ValueError(f"{option} {':'.join(f'{x:g}' for x in entry)}: {error}") from None

@@ -4,7 +4,7 @@ import argparse
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple, NoReturn
 
-from wrinklestudy.cli import fit, measure, solve, stability
+from wrinklestudy.cli import fit, map_command, measure, solve, stability
 from wrinklestudy.cli.numbers import is_negative
 
 
@@ -20,6 +20,9 @@ COMMANDS = {
     "solve": Command("state of one sheet at one or more strains", solve.add_options, solve.run),
     "stability": Command(
         "birth and decay strain of one sheet", stability.add_options, stability.run
+    ),
+    "map": Command(
+        "critical thickness over strain and L/W", map_command.add_options, map_command.run
     ),
     "fit": Command("constants of a law from measured stress and strain", fit.add_options, fit.run),
     "measure": Command(

@@ -10,6 +10,7 @@ from wrinklestudy.cli.numbers import number, whole_number
 from wrinklestudy.vocabulary import ASPECT, CELLS, PARITIES, THICKNESS
 
 if TYPE_CHECKING:
+    from wrinklestudy.fem.grid import MeshSettings
     from wrinklestudy.results.vtu import LengthUnit
     from wrinklestudy.sheet import Sheet
 
@@ -58,8 +59,6 @@ class GivenSize:
 
 def add_sheet(parser: argparse.ArgumentParser) -> None:
     """Add the options of a sheet."""
-    from wrinklestudy.mechanics.bending import BENDING_LAWS
-
     group = parser.add_argument_group("size", "ratios, or all three lengths")
     group.add_argument("--aspect", type=number, help="L/W")
     group.add_argument("--thickness", type=number, help="t/W")
@@ -67,16 +66,46 @@ def add_sheet(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--width-mm", type=number, help="W along a clamp")
     group.add_argument("--thickness-mm", type=number, help="t at rest")
     add_material(parser)
-    add = parser.add_argument
+    add_bending(parser)
+    parser.add_argument(
+        "--parity", choices=PARITIES, default=PARITIES[0], help="of the wrinkles across the sheet"
+    )
+    add_cells(parser)
+
+
+def add_bending(parser: argparse.ArgumentParser) -> None:
+    """Add the option that names a bending law."""
+    from wrinklestudy.mechanics.bending import BENDING_LAWS
+
     meanings = "; ".join(f"{name}: {law.meaning}" for name, law in BENDING_LAWS.items())
-    add("--bending", choices=tuple(BENDING_LAWS), default=next(iter(BENDING_LAWS)), help=meanings)
-    add("--parity", choices=PARITIES, default=PARITIES[0], help="of the wrinkles across the sheet")
+    names = tuple(BENDING_LAWS)
+    parser.add_argument("--bending", choices=names, default=names[0], help=meanings)
+
+
+def add_cells(parser: argparse.ArgumentParser) -> None:
+    """Add the options of the mesh."""
+    add = parser.add_argument
     add(
         "--cells-along",
         type=whole_number,
         help="cells on half the length of the reference sheet L/W = 2",
     )
     add("--cells-across", type=whole_number, help="cells on half the width at t/W = 1e-3")
+
+
+def mesh_settings(arguments: argparse.Namespace) -> "MeshSettings":
+    """Return the mesh that the options describe."""
+    from wrinklestudy.fem.grid import MeshSettings
+
+    cells = {
+        key: getattr(arguments, key)
+        for key in ("cells_along", "cells_across")
+        if getattr(arguments, key) is not None
+    }
+    for key, value in cells.items():
+        if value not in CELLS:
+            raise ValueError(f"{_option(key)} = {value}: must be {CELLS}")
+    return MeshSettings(**cells)
 
 
 def given_size(arguments: argparse.Namespace) -> GivenSize:
@@ -131,24 +160,15 @@ def _option(name: str) -> str:
 
 def sheet(arguments: argparse.Namespace, size: GivenSize) -> "Sheet":
     """Return the sheet that the options describe; say so where it is a large problem."""
-    from wrinklestudy.fem.grid import MeshSettings
     from wrinklestudy.sheet import Sheet
 
-    cells = {
-        key: getattr(arguments, key)
-        for key in ("cells_along", "cells_across")
-        if getattr(arguments, key) is not None
-    }
-    for key, value in cells.items():
-        if value not in CELLS:
-            raise ValueError(f"{_option(key)} = {value}: must be {CELLS}")
     return Sheet(
         size.aspect,
         size.thickness,
         material(arguments),
         arguments.bending,
         arguments.parity,
-        MeshSettings(**cells),
+        mesh_settings(arguments),
     )
 
 

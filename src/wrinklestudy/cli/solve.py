@@ -2,15 +2,19 @@
 
 import argparse
 
-from wrinklestudy.cli.numbers import NumberRange, numbers, whole_number
+from wrinklestudy.cli.numbers import (
+    NumberRange,
+    numbers,
+    range_values,
+    values_within,
+    whole_number,
+)
 from wrinklestudy.cli.output import Answer
 from wrinklestudy.cli.outputs import add_overwrite, planned
 from wrinklestudy.cli.sentences import failures, states_text
 from wrinklestudy.cli.sheet_options import GivenSize, add_sheet, announce, given_size, sheet
 from wrinklestudy.cli.solving import Task, solve_all
-from wrinklestudy.vocabulary import STRAIN, Limits
-
-_JOBS = Limits(1, 1000)
+from wrinklestudy.vocabulary import JOBS, STRAIN, Limits
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -34,8 +38,8 @@ def run(arguments: argparse.Namespace) -> Answer:
     from wrinklestudy.results.vtu import SUFFIXES as VTU
     from wrinklestudy.stages.figures import SUFFIXES as PICTURES
 
-    if arguments.jobs not in _JOBS:
-        raise ValueError(f"--jobs = {arguments.jobs}: must be {_JOBS}")
+    if arguments.jobs not in JOBS:
+        raise ValueError(f"--jobs = {arguments.jobs}: must be {JOBS}")
     size = given_size(arguments)
     strains = _strains(arguments, size)
     labels = [f"strain{format_value(strain)}" for strain in strains]
@@ -56,21 +60,13 @@ def _strains(arguments: argparse.Namespace, size: GivenSize) -> list[float]:
     if arguments.strain and arguments.clamp_mm:
         raise ValueError("--strain, --clamp-mm: give strains or distances, not both")
     if arguments.strain:
-        strains = [eps for entry in arguments.strain for eps in _of_strain(entry)]
-    elif arguments.clamp_mm:
+        return values_within("--strain", arguments.strain, STRAIN)
+    if arguments.clamp_mm:
         if size.length_mm is None:
             raise ValueError("--clamp-mm: needs --length-mm, --width-mm and --thickness-mm")
         strains = [eps for entry in arguments.clamp_mm for eps in _of_clamps(entry, size.length_mm)]
-    else:
-        raise ValueError("--strain: missing; give --strain or --clamp-mm")
-    return list(dict.fromkeys(strains))
-
-
-def _of_strain(entry: NumberRange) -> tuple[float, ...]:
-    for strain in entry[:2]:
-        if strain not in STRAIN:
-            raise ValueError(f"--strain = {strain:g}: must be {STRAIN}")
-    return _values("--strain", entry, STRAIN)
+        return list(dict.fromkeys(strains))
+    raise ValueError("--strain: missing; give --strain or --clamp-mm")
 
 
 def _of_clamps(entry: NumberRange, length: float) -> tuple[float, ...]:
@@ -83,16 +79,5 @@ def _of_clamps(entry: NumberRange, length: float) -> tuple[float, ...]:
                 f"--clamp-mm = {clamps:g}: strain {strain:.3g} of a length of {length:g} mm "
                 f"must be {STRAIN}"
             )
-    distances = _values("--clamp-mm", entry, Limits(length, 2.0 * length))
+    distances = range_values("--clamp-mm", entry, Limits(length, 2.0 * length))
     return tuple(canonical((clamps - length) / length) for clamps in distances)
-
-
-def _values(option: str, entry: NumberRange, allowed: Limits) -> tuple[float, ...]:
-    from wrinklestudy.results.cases import number_range
-
-    if entry.is_single:
-        return (entry.start,)
-    try:
-        return number_range(*entry, allowed)
-    except ValueError as error:
-        raise ValueError(f"{option} {':'.join(f'{x:g}' for x in entry)}: {error}") from None

@@ -1,6 +1,5 @@
 """States of one sheet, solved by this process or by several, and the files of each."""
 
-import signal
 import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -9,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from wrinklestudy.cli.outputs import write
+from wrinklestudy.cli.processes import in_processes
 from wrinklestudy.cli.progress import SolveProgress, StatusLine
 from wrinklestudy.cli.sheet_options import GivenSize
 
@@ -45,31 +45,10 @@ def solve_all(tasks: Sequence[Task], jobs: int) -> list[dict[str, Any]]:
 
 
 def _parallel(tasks: Sequence[Task], jobs: int) -> Iterator[dict[str, Any]]:
-    """Yield the values of the states that several processes of one thread each solve."""
-    import multiprocessing
-    from concurrent.futures import ProcessPoolExecutor
-    from concurrent.futures.process import BrokenProcessPool
-
-    context = multiprocessing.get_context("spawn")  # BLAS does not outlive a fork
-    pool = ProcessPoolExecutor(jobs, context, initializer=_quiet_end)
-    try:
-        for k, values in enumerate(pool.map(solve, tasks), 1):
-            _announce(tasks[k - 1].strain, k, len(tasks))
-            yield values
-    except BrokenProcessPool:
-        text = f"one of {jobs} processes was killed; fewer --jobs need less memory"
-        raise MemoryError(text) from None
-    except BaseException:
-        for process in multiprocessing.active_children():
-            process.terminate()
-        raise
-    finally:
-        pool.shutdown(cancel_futures=True)
-
-
-def _quiet_end() -> None:
-    """Let Ctrl-C end a process without a traceback: the parent says what there is to say."""
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    """Yield the values of the states that several processes solve."""
+    for k, values in enumerate(in_processes(solve, tasks, jobs), 1):
+        _announce(tasks[k - 1].strain, k, len(tasks))
+        yield values
 
 
 def _announce(strain: float, k: int, count: int) -> None:

@@ -135,6 +135,14 @@ def deflection_forms(flat: Flat, bending: str, symmetry: Symmetry) -> Deflection
     return DeflectionForms(*matrices, assembler, bent)
 
 
+class CriticalMode(NamedTuple):
+    """The wrinkle that the thickest unstable sheet has."""
+
+    thickness: float  # tau_1/W; zero where no thickness wrinkles
+    shape: Array | None  # the mode as in `Modes`; None where no thickness wrinkles
+    corner_thickness: float  # largest of a mode of the corners above tau_1; zero without one
+
+
 class Spectrum(NamedTuple):
     """Leading critical thicknesses squared, modes and the part of their energy at the corner.
 
@@ -152,6 +160,7 @@ def spectrum(
     symmetry: Symmetry = QUARTER,
     count: int = 8,
     near: float | None = None,
+    start: Array | None = None,
 ) -> Spectrum:
     """Return the largest critical thicknesses of a flat state and their modes, see `Modes`.
 
@@ -170,6 +179,8 @@ def spectrum(
         Largest number of modes.
     near : float, optional
         A thickness a little above tau_1, where that is known: it saves most of the time.
+    start : (size,) array, optional
+        A deflection like the leading mode, where one is known.
 
     Raises
     ------
@@ -183,7 +194,8 @@ def spectrum(
     trial = _trial(forms, near or trial, _TRIAL_GROWTH if near is None else _NEAR_GROWTH)
     least = max(_SMALLEST_PART * trial / _LOOSEST_TRIAL, _SMALLEST_THICKNESS)
     unstable = 1 if count == 1 else count_negative_eigenvalues(forms.shifted(least**2))
-    squared, vectors = _eigen(forms, min(count, unstable), trial)
+    first = None if start is None else start[forms.assembler.free[0]]
+    squared, vectors = _eigen(forms, min(count, unstable), trial, first)
     kept = squared >= _SMALLEST_PART**2 * squared[0]
     shapes = np.zeros((kept.sum(), flat.space.size))
     shapes[:, forms.assembler.free[0]] = vectors.T[kept]
@@ -201,12 +213,27 @@ def critical_thickness(
     Modes of the corners are passed over; zero where no thickness wrinkles. See `spectrum` for the
     parameters and errors.
     """
+    return critical_mode(flat, bending, symmetry, near).thickness
+
+
+def critical_mode(
+    flat: Flat,
+    bending: str = "thinning",
+    symmetry: Symmetry = QUARTER,
+    near: float | None = None,
+    start: Array | None = None,
+) -> CriticalMode:
+    """Return tau_1 with its mode; see `spectrum` for the parameters and errors."""
     count = 2 if near is None else 1  # a good bound sets even one mode well apart
     while True:
-        squared, _, corner = spectrum(flat, bending, symmetry, count, near)
-        wrinkles = squared[corner < CORNER_PART]
-        if len(wrinkles) > 0 or len(squared) < count:
-            return float(np.sqrt(wrinkles.max(initial=0.0)))
+        squared, shapes, corner = spectrum(flat, bending, symmetry, count, near, start)
+        wrinkles = np.flatnonzero(corner < CORNER_PART)
+        if len(wrinkles) > 0:
+            first = int(wrinkles[0])  # they fall
+            highest = float(np.sqrt(squared[0])) if first > 0 else 0.0
+            return CriticalMode(float(np.sqrt(squared[first])), shapes[first], highest)
+        if len(squared) < count:
+            return CriticalMode(0.0, None, float(np.sqrt(squared.max(initial=0.0))))
         count *= 2
 
 
@@ -225,7 +252,9 @@ def critical_modes(
     return Modes(symmetry, bending, squared, shapes, corner, quartic, relaxation)
 
 
-def _eigen(forms: DeflectionForms, count: int, trial: float) -> tuple[Array, Array]:
+def _eigen(
+    forms: DeflectionForms, count: int, trial: float, start: Array | None = None
+) -> tuple[Array, Array]:
     """Solve -S phi = mu B phi for the largest mu below sigma, the square of a trial thickness.
 
     The solver of the assembler must hold S + sigma B, and at least `count` of the mu be positive.
@@ -243,7 +272,7 @@ def _eigen(forms: DeflectionForms, count: int, trial: float) -> tuple[Array, Arr
         M=symmetric(forms.shifted(trial**2)),
         Minv=LinearOperator((size, size), matvec=forms.assembler.solver.solve, dtype=np.float64),
         which="LA",
-        v0=np.ones(size),
+        v0=np.ones(size) if start is None else start,
         ncv=min(max(_LANCZOS * count, _FEWEST_VECTORS), size),
         tol=_EIGENVALUE_TOLERANCE,
     )

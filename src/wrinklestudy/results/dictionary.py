@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from wrinklestudy.files.storage import atomic_path
 from wrinklestudy.results.rows import Column
-from wrinklestudy.results.tables import PEAK_COLUMNS, STABILITY_COLUMNS, STATE_COLUMNS
+from wrinklestudy.results.tables import MAP_COLUMNS, PEAK_COLUMNS, STABILITY_COLUMNS, STATE_COLUMNS
 
 _KINDS = {str: "text", int: "whole number", float: "number"}
 
@@ -50,6 +50,14 @@ the states, birth and decay, so that it may lie between them; it is unknown if a
 not converge.
 """
 
+_MAP = """
+## Map
+
+`results/map/{material}/aspect{aspect}.csv`, one row per strain and parity. In units of L the
+critical thickness is tau_1/W divided by L/W. Columns marked *json* are what
+`wrinklestudy map --json` gives.
+"""
+
 
 def page() -> str:
     """Return the data dictionary as Markdown."""
@@ -62,6 +70,8 @@ def page() -> str:
         *_table(STABILITY_COLUMNS),
         _PEAKS,
         *_table(PEAK_COLUMNS),
+        _MAP,
+        *_table(MAP_COLUMNS),
     ]
     return "".join(blocks)
 

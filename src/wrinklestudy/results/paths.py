@@ -38,6 +38,7 @@ STAGES: Mapping[str, Stage] = {
     "mesh": Stage({"mesh": "aspect{aspect}_resolves{resolved}.vtu"}),
     "planar": Stage({"state": f"{_FLAT}/strain{{strain}}.h5"}),
     "stability": Stage({"limits": f"{_SHEET}.json"}),
+    "map": Stage({"table": "{material}/aspect{aspect}.csv"}, analysis=True),
     "wrinkle": Stage({"state": f"{_SHEET}/strain{{strain}}.h5"}),
     "metrics": Stage({"table": f"{_SHEET}.csv"}),
     "summary": Stage(

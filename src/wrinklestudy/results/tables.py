@@ -11,6 +11,7 @@ from os import fspath
 from typing import TYPE_CHECKING, Any
 
 from wrinklestudy.files.storage import atomic_path
+from wrinklestudy.results.maps import MapRow
 from wrinklestudy.results.rows import (
     Column,
     SheetIdentity,
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
 
 STATE_COLUMNS = columns(StateRow)
 STABILITY_COLUMNS = columns(StabilityRow)
+MAP_COLUMNS = columns(MapRow)
 PEAK_COLUMNS: Mapping[str, Column] = {
     name: column
     for name, column in columns(SheetRow).items()
@@ -52,6 +54,22 @@ def write_stability(rows: Sequence[StabilityRow], output: AnyPath) -> None:
 def write_peaks(rows: Sequence[SheetRow], output: AnyPath) -> None:
     """Write what sheets reach over strain as a table, sorted by sheet."""
     _write(rows, PEAK_COLUMNS, output)
+
+
+def write_map(rows: Sequence[MapRow], output: AnyPath) -> None:
+    """Write a map as a table, sorted by model, parity, L/W and strain."""
+    _write(rows, MAP_COLUMNS, output)
+
+
+def read_map(path: AnyPath) -> list[MapRow]:
+    """Return the rows of a table of the map stage, in its order.
+
+    Raises
+    ------
+    ValueError
+        As `read_states`.
+    """
+    return [MapRow(**cells) for cells in _read(path, MAP_COLUMNS)]
 
 
 def read_states(path: AnyPath) -> list[StateRow]:
@@ -87,7 +105,11 @@ def read_sheets(stability: AnyPath, peaks: AnyPath) -> list[SheetRow]:
     return rows
 
 
-def _write(rows: Sequence[SheetIdentity], wanted: Mapping[str, Column], output: AnyPath) -> None:
+def _write(
+    rows: Sequence[SheetIdentity] | Sequence[MapRow],
+    wanted: Mapping[str, Column],
+    output: AnyPath,
+) -> None:
     import pandas as pd
 
     ordered = sorted(rows, key=lambda row: row.key)

@@ -326,7 +326,7 @@ def test_an_interrupt_is_one_line_and_status_130(jobs):
 def test_the_commands_of_the_recipe_run(tmp_path, monkeypatch, capsys):
     text = (ROOT / "docs" / "recipes" / "own_sheet.md").read_text(encoding="utf-8")
     commands = re.findall(r"^ +wrinklestudy (.*)$", text, re.MULTILINE)
-    assert len(commands) == 4
+    assert len(commands) == 5
     monkeypatch.chdir(tmp_path)
     for name in ("data", "config.yaml"):
         (tmp_path / name).symlink_to(ROOT / name)
@@ -335,4 +335,4 @@ def test_the_commands_of_the_recipe_run(tmp_path, monkeypatch, capsys):
         assert main([*command.split(), *coarse]) == 0
     capsys.readouterr()
     made = {path.name for path in tmp_path.iterdir()}
-    assert made == {"data", "config.yaml", "stability.png", "sheet.png", "sheet.vtu"}
+    assert made == {"data", "config.yaml", "stability.png", "map.png", "sheet.png", "sheet.vtu"}

@@ -44,6 +44,7 @@ def test_the_files_of_a_study_follow_from_its_cases():
         "mesh": 3,
         "planar": 5,
         "stability": 5,
+        "map": 2,
         "wrinkle": 9,
         "metrics": 5,
         "summary": 3,

@@ -178,7 +178,7 @@ class PlateBlock(Block):
     bending: BendingName = Field(
         default="thinning",
         description="law of bending",
-        json_schema_extra=of_stages("planar", "stability"),
+        json_schema_extra=of_stages("planar", "stability", "map"),
     )
     parity: Parity = Field(
         default="antisymmetric",
