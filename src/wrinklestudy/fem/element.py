@@ -48,6 +48,35 @@ def hermite(s: Array, derivative: int) -> Array:
     return np.array(rows)
 
 
+def hermite_curve(
+    lines: Array, value: Array, slope: Array, points: Array, derivative: int = 0
+) -> Array:
+    """Return piecewise cubic Hermite functions of one variable, or a derivative of them.
+
+    Parameters
+    ----------
+    lines : (n,) array
+        Where the pieces meet, increasing; the first and last piece go on beyond the ends.
+    value, slope : (..., n) arrays
+        Values and slopes there.
+    points : array
+        Where to evaluate.
+    derivative : {0, 1, 2}
+        Order of the derivative.
+
+    Returns
+    -------
+    (..., *points.shape) array
+    """
+    left = np.clip(np.searchsorted(lines, points, side="right") - 1, 0, len(lines) - 2)
+    width = np.diff(lines)[left]
+    first, second = hermite((points - lines[left]) / width, derivative)
+    values = first[0] * value[..., left] + second[0] * value[..., left + 1]
+    slopes = first[1] * slope[..., left] + second[1] * slope[..., left + 1]
+    total: Array = (values + width * slopes) / width**derivative
+    return total
+
+
 def reference_basis(points: Array, derivative: tuple[int, int]) -> Array:
     """Return one derivative of the 16 local functions on the unit square.
 

@@ -34,8 +34,9 @@ class Space:
 
     grid: Grid
     order: int = 5
-    # Assemblers by unknowns, see `assembly.shared_assembler`; they live as long as the space.
-    shared: dict[tuple[bytes, int], Any] = field(default_factory=dict, init=False, repr=False)
+    # Sparsity of tangents by unknowns, see `assembly.shared_assembler`. Nothing in it may refer to
+    # the space: then all memory of a sheet is free with the last reference to its space.
+    shared: dict[bytes, Any] = field(default_factory=dict, init=False, repr=False)
 
     @cached_property
     def mesh(self) -> MeshQuad:
