@@ -5,7 +5,7 @@ import sys
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from wrinklestudy.cli.material_options import add_law, add_material, material
+from wrinklestudy.cli.material_options import add_law, add_material, model
 from wrinklestudy.cli.numbers import number, whole_number
 from wrinklestudy.vocabulary import ASPECT, CELLS, PARITIES, THICKNESS
 
@@ -142,12 +142,13 @@ def sheet(arguments: argparse.Namespace, size: GivenSize) -> "Sheet":
     for key, value in cells.items():
         if value not in CELLS:
             raise ValueError(f"{_option(key)} = {value}: must be {CELLS}")
+    chosen = model(arguments)
     return Sheet(
         size.aspect,
         size.thickness,
-        material(arguments),
-        arguments.bending,
-        arguments.parity,
+        chosen.material,
+        chosen.bending or arguments.bending,
+        chosen.parity or arguments.parity,
         MeshSettings(**cells),
     )
 

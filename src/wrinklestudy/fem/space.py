@@ -116,7 +116,7 @@ class Space:
     def field_from_nodes(self, values: Array) -> Array:
         """Return dof vectors (..., size) from grid arrays (..., 4, nx + 1, ny + 1)."""
         field = np.empty((*values.shape[:-3], self.size))
-        field[..., self.dofs.nodal_dofs] = values.reshape(*values.shape[:-2], -1)
+        field[..., self.dofs.nodal_dofs] = values.reshape(*values.shape[:-2], self.mesh.nvertices)
         return field
 
     def nodes_from_field(self, field: Array) -> Array:

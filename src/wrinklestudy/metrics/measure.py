@@ -11,9 +11,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from wrinklestudy.metrics.curve import Curve
 from wrinklestudy.metrics.interpolant import DeformedSheet
 from wrinklestudy.metrics.profile import Profile, profile_from_state
+from wrinklestudy.metrics.spline import ProfileSpline
 from wrinklestudy.typing import Array
 
 # An extremum counts if it stands out by this fraction of the range of z; ripples of noise do not.
@@ -84,7 +84,7 @@ def measure(profile: Profile) -> Measures:
     if np.abs(z).max() <= FLAT * width:
         nan, empty = float("nan"), np.empty(0)
         return Measures(0.0, nan, nan, width, width, 0.0, 0.0, nan, nan, empty)
-    curve = Curve.through(y, z)
+    curve = ProfileSpline.through(y, z)
     turning = curve.turning_points()
     marks = np.concatenate([y[:1], turning[(turning > y[0]) & (turning < y[-1])], y[-1:]])
     heights = curve(marks)
@@ -145,7 +145,7 @@ def prominent(heights: Array, threshold: float) -> list[int]:
     return kept
 
 
-def _crossings(curve: Curve, extrema: Array, levels: Array) -> Array:
+def _crossings(curve: ProfileSpline, extrema: Array, levels: Array) -> Array:
     """Return a zero crossing between any two neighbouring extrema of opposite sign."""
     zeros = curve.zeros()
     crossings = []
@@ -171,7 +171,7 @@ def _spacing(positions: Array, centre: float) -> float:
     return float(second[nearest] - first[nearest])
 
 
-def _excess(curve: Curve, start: float, stop: float) -> float:
+def _excess(curve: ProfileSpline, start: float, stop: float) -> float:
     """Return arc length minus projected length of z(y) between two points."""
     knots = curve.y
     inside = knots[(knots > start) & (knots < stop)]
@@ -183,7 +183,7 @@ def _excess(curve: Curve, start: float, stop: float) -> float:
     return float(half @ (density @ _GAUSS_WEIGHTS))
 
 
-def _central_phi_squared(curve: Curve, y: Array, centre: float, wavelength: float) -> float:
+def _central_phi_squared(curve: ProfileSpline, y: Array, centre: float, wavelength: float) -> float:
     start, stop = centre - 0.5 * wavelength, centre + 0.5 * wavelength
     if not (start >= y[0] and stop <= y[-1]):
         return float("nan")

@@ -16,7 +16,7 @@ _HALVINGS = 60  # of a bracket, to rounding
 
 
 @dataclass(frozen=True, eq=False)
-class Curve:
+class ProfileSpline:
     """Cubic pieces that meet with the same slope.
 
     Parameters
