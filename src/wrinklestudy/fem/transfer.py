@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from wrinklestudy.fem.element import hermite_curve
 from wrinklestudy.fem.grid import Grid
+from wrinklestudy.fem.hermite import hermite_curve
 from wrinklestudy.fem.space import Space
 from wrinklestudy.typing import Array
 

@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from wrinklestudy.fem.boundary import NO_MIRRORS, Symmetry
-from wrinklestudy.fem.element import hermite_curve
 from wrinklestudy.fem.grid import Grid
+from wrinklestudy.fem.hermite import hermite_curve
 from wrinklestudy.typing import Array
 
 

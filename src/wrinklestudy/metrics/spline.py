@@ -9,7 +9,7 @@ from typing import Self
 import numpy as np
 from scipy.linalg import solve_banded
 
-from wrinklestudy.fem.element import hermite_curve
+from wrinklestudy.fem.hermite import hermite_curve
 from wrinklestudy.typing import Array
 
 _HALVINGS = 60  # of a bracket, to rounding
