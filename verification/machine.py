@@ -38,7 +38,7 @@ def facts() -> dict[str, Any]:
         "kernels": kernels(),
         "factorisation": type(solver).__name__,
         "versions": {"Python": platform.python_version()}
-        | {name: found for name in PACKAGES if (found := _version(name))},
+        | {name: known for name in PACKAGES if (known := _version(name))},
     }
 
 

@@ -57,7 +57,7 @@ MUTATIONS = (
     Mutation(
         "element",
         "sign of one slope function of the Hermite basis",
-        "fem/element.py",
+        "fem/hermite.py",
         "(3 * s**2 - 2 * s**3, s**3 - s**2)",
         "(3 * s**2 - 2 * s**3, s**2 - s**3)",
     ),

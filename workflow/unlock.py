@@ -14,14 +14,14 @@ import psutil
 
 def holders(folder: Path) -> list[int]:
     """Return the snakemake processes that work in a folder."""
-    found = []
+    running = []
     for process in psutil.process_iter(["pid", "cmdline", "cwd"]):
         command, cwd = process.info["cmdline"], process.info["cwd"]
         if not command or not cwd or Path(cwd) != folder:
             continue
         if any(Path(argument).name == "snakemake" for argument in command):
-            found.append(process.info["pid"])
-    return sorted(found)
+            running.append(process.info["pid"])
+    return sorted(running)
 
 
 def unlock(folder: Path) -> str | None:

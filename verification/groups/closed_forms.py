@@ -27,19 +27,19 @@ def _stretch() -> tuple[list[Check], Table]:
     checks: list[Check] = []
     rows: list[list[str]] = []
     for name, law, mode, stretch in stretching.cases():
-        found = stretching.solve(law, mode, stretch)
+        computed = stretching.solve(law, mode, stretch)
         along, across, width = stretching.exact(law, mode, stretch)
         case = f"{name}, {mode} {stretch:g}"
-        error = (abs(found.along - along) + abs(found.across - across)) / along
+        error = (abs(computed.along - along) + abs(computed.across - across)) / along
         curve = float(nominal_stress(Material(law, 1.0), stretch, mode))
         reason = "the homogeneous state lies in the space; only rounding remains"
         fitted = "the curve that the material stage fits is that of the sheet"
         checks += [
             Check(f"{case}: nominal stresses", error, 1e-11, kind="at most", reason=reason),
-            Check(f"{case}: deviation", found.deviation, 1e-10, kind="at most", reason=reason),
+            Check(f"{case}: deviation", computed.deviation, 1e-10, kind="at most", reason=reason),
             Check(f"{case}: fitted curve", curve, along, 1e-12, reason=fitted),
         ]
-        numbers = (found.along, along, found.across, across, found.width, width)
+        numbers = (computed.along, along, computed.across, across, computed.width, width)
         rows.append([case, *(f"{value:z.8f}" for value in numbers)])
     columns = ("case", "T1", "formula", "T2", "formula", "y/Y at the edge", "formula")
     return checks, Table("Nominal stresses in units of mu", columns, rows)
@@ -51,11 +51,11 @@ def _stiffness() -> tuple[list[Check], Table]:
     for name, (law, stretches) in stretching.CASES.items():
         for stretch in (1.0, *stretches):
             for option in BENDING_LAWS:
-                found = stiffness.stiffness(law, option, stretch)
+                computed = stiffness.stiffness(law, option, stretch)
                 exact = stiffness.stiffness_formula(law, option, stretch)
                 case = f"{name}, {option}, stretch {stretch:g}"
                 for direction, value, formula in zip(
-                    ("along", "across"), found, exact, strict=True
+                    ("along", "across"), computed, exact, strict=True
                 ):
                     reason = (
                         "w = X^2/2 lies in the space; rounding, amplified by the tension's part"
@@ -63,7 +63,7 @@ def _stiffness() -> tuple[list[Check], Table]:
                     checks.append(
                         Check(f"{case}: D {direction}", value, formula, 1e-8, "relative", reason)
                     )
-                shown = [found[0], exact[0], found[1], exact[1]]
+                shown = [computed[0], exact[0], computed[1], exact[1]]
                 rows.append([case, *(f"{value:.8f}" for value in shown)])
     columns = ("case", "D/(mu t^3) along", "formula", "across", "formula")
     return checks, Table("Cylindrical bending stiffness of a stretched sheet", columns, rows)
@@ -140,16 +140,16 @@ def _buckling() -> tuple[list[Check], Table]:
     formula = bending.euler_formula(LAW, thickness)
     for option in BENDING_LAWS:
         for cells in EULER_CELLS:
-            found = bending.euler(LAW, option, thickness, cells)
+            computed = bending.euler(LAW, option, thickness, cells)
             rows.append(
-                [option, cells, f"{found.strain:.6e}", f"{found.force / formula - 1.0:.2e}"]
+                [option, cells, f"{computed.strain:.6e}", f"{computed.force / formula - 1.0:.2e}"]
             )
         reason = (
-            f"4 pi^2 D/L^2; the strip is compressed by {found.strain:.1e}, which changes its "
+            f"4 pi^2 D/L^2; the strip is compressed by {computed.strain:.1e}, which changes its "
             f"stiffness by some times that"
         )
         name = f"Euler load, {option}, {cells} cells"
-        checks.append(Check(name, found.force / formula, 1.0, 2e-5, "absolute", reason))
+        checks.append(Check(name, computed.force / formula, 1.0, 2e-5, "absolute", reason))
     columns = ("bending law", "cells", "critical strain", "P/P_Euler - 1")
     return checks, Table("Euler load of a wide clamped strip", columns, rows)
 
@@ -163,8 +163,11 @@ def _elastica() -> tuple[list[Check], Table, list[float]]:
     cases = [(s, option, cells) for s in SHORTENINGS for option in options for cells in STRIP_CELLS]
     for shortening, option, cells in [*cases, (SHORTENINGS[1], "fvk", STRIP_CELLS[-1])]:
         formula, _ = bending.elastica_formula(LAW, shortening)
-        found = bending.elastica(LAW, option, shortening, cells)
-        errors = found.force / formula.force - 1.0, found.deflection / formula.deflection - 1.0
+        computed = bending.elastica(LAW, option, shortening, cells)
+        errors = (
+            computed.force / formula.force - 1.0,
+            computed.deflection / formula.deflection - 1.0,
+        )
         rows.append([f"{shortening:g}", option, f"{cells}", *(f"{error:.1e}" for error in errors)])
         if shortening == SHORTENINGS[1] and option == "thinning":
             plotted.append(abs(errors[0]))
@@ -187,15 +190,15 @@ def _plate() -> tuple[list[Check], Table, list[float]]:
     checks: list[Check] = []
     rows: list[list[str]] = []
     for option in BENDING_LAWS:
-        found = [bending.clamped_plate(LAW, option, cells) for cells in PLATE_CELLS]
-        errors = [abs(value / bending.CLAMPED_PLATE - 1.0) for value in found]
-        for cells, value, error in zip(PLATE_CELLS, found, errors, strict=True):
+        computed = [bending.clamped_plate(LAW, option, cells) for cells in PLATE_CELLS]
+        errors = [abs(value / bending.CLAMPED_PLATE - 1.0) for value in computed]
+        for cells, value, error in zip(PLATE_CELLS, computed, errors, strict=True):
             rows.append([option, f"{cells} x {cells}", f"{value:.10f}", f"{error:.1e}"])
         name = f"clamped plate, {option}"
         reason = "coefficient of the series solution of a clamped square plate"
         order = float(np.log2(errors[-2] / errors[-1]))
         checks += [
-            Check(f"{name}, finest mesh", found[-1], bending.CLAMPED_PLATE, 1e-6, reason=reason),
+            Check(f"{name}, finest mesh", computed[-1], bending.CLAMPED_PLATE, 1e-6, reason=reason),
             Check(
                 f"{name}: observed order",
                 order,

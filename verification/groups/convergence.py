@@ -56,8 +56,8 @@ def limit(sizes: Array, values: Array) -> Limit:
         answer, *_ = np.linalg.lstsq(matrix, values, rcond=None)
         return float(answer[0]), float(np.linalg.norm(matrix @ answer - values))
 
-    found = minimize_scalar(lambda p: fit(p)[1], bounds=_ORDERS, method="bounded")
-    return Limit(fit(float(found.x))[0], float(found.x))
+    best = minimize_scalar(lambda p: fit(p)[1], bounds=_ORDERS, method="bounded")
+    return Limit(fit(float(best.x))[0], float(best.x))
 
 
 def sheet_on(cells: tuple[int, int]) -> Sheet:
@@ -159,11 +159,11 @@ def quick() -> list[Check]:
     rows = [quantities(sheet_on(cells), strain) for cells in meshes]
     checks = []
     for name in ("tau_1", "A"):
-        found = limit(sizes, np.array([row[name] for row in rows]))
+        fitted = limit(sizes, np.array([row[name] for row in rows]))
         checks.append(
             Check(
                 f"coarse meshes, {name}: order",
-                found.order,
+                fitted.order,
                 2.0 * williams(MATERIAL.law.poisson),
                 kind="at least",
                 reason="twice the exponent of the corner's singularity",

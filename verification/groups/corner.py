@@ -323,9 +323,9 @@ def _text(
         "for plane stress and nu = 1/2, W ~ r^(2e-2); the flat state alone is computed down to "
         f"{DEEPEST} halvings for that. The energy in the corner is integrable. Halving the cells "
         f"there changes the wrinkles far away by {largest:.0e} at most.\n\n"
-        "Cells at the corner that are as small as the thickness ask for more than plate theory "
-        "knows: for Mooney-Rivlin the form b.W''.b, which leaves out terms proportional to the "
-        "stress (see *Closed forms*), is indefinite in twist where the sheet is stretched much in "
-        "both directions, in pure shear (as along the clamp) from a stretch of "
+        "Plate theory ends where the cells at the corner are as small as the thickness. For "
+        "Mooney-Rivlin the bending energy b.W''.b leaves out terms proportional to the stress (see "
+        "*Closed forms*). It becomes negative for some twists where the sheet is stretched much in "
+        "both directions; in pure shear, as along the clamp, from a stretch of "
         f"{twist_limit():.3f} on. {forms_text(forms)}"
     )

@@ -175,9 +175,9 @@ def _text(runs: list[Traced], rows: dict[str, list[Landau]], seeded: Sequence[Se
         f"{THIN:g} the flat sheet has {' and '.join(str(case.unstable) for case in thin)} "
         "unstable modes.\n\n"
         f"A continuation upward from strain {STARTS['upward']:g} and one downward from "
-        f"{STARTS['downward']:g} {same_text(runs)}. The special points on them are "
-        f"{'; '.join(special)}. {onset_text(rise, fall, stiff, special.count('fold'))} Meshes: "
-        f"{MESH[0]} x {MESH[1]} and {THIN_MESH[0]} x {thin[0].planar.grid.cells[1]} cells."
+        f"{STARTS['downward']:g} {same_text(runs)}. Their special points are: "
+        f"{', '.join(special) or 'none'}. {onset_text(rise, fall, stiff, special.count('fold'))} "
+        f"Meshes: {MESH[0]} x {MESH[1]} and {THIN_MESH[0]} x {thin[0].planar.grid.cells[1]} cells."
     )
 
 

@@ -161,12 +161,12 @@ def _text(count: int, said: str) -> str:
     strains = ", ".join(f"{strain:g}" for strain in STRAINS)
     ratios = ", ".join(f"{ratio:g}" for ratio in RATIOS)
     return (
-        f"The profiles of both parities of the latex sheet, L/W = 2, t/W = 1e-3, at strains "
-        f"{strains}, in mm for W = 140 mm, are scanned in {count} trials: {POINTS[0]} to "
-        f"{POINTS[-1]} points with white noise at A/noise = {ratios}, and with what scanners add: "
-        "tilt and offset of up to five amplitudes; one point in twenty and a run of one in sixty "
-        "lost; spikes of up to eight amplitudes on one point in a hundred; steps of twice the "
-        "noise; a regular ripple of 0.08 to 0.25 wavelengths as high as the noise; all of these. "
-        "Each scan is measured by `metrics.scan.measure_scan`, which knows nothing of the profile "
-        f"but its points. {said}"
+        "Computed profiles are scanned: both parities of the latex sheet, L/W = 2, t/W = 1e-3, at "
+        f"strains {strains}, in mm for W = 140 mm. Each of {count} trials has {POINTS[0]} to "
+        f"{POINTS[-1]} points with white noise at A/noise = {ratios}, and no fault of scanners, "
+        "one or all of them: tilt and offset of up to five amplitudes; one point in twenty lost, "
+        "and a run of one in sixty; spikes of up to eight amplitudes on one point in a hundred; "
+        "steps of twice the noise; a regular ripple of 0.08 to 0.25 wavelengths, as high as the "
+        "noise. Each scan is measured by `metrics.scan.measure_scan`, which knows nothing of "
+        f"the profile but its points. {said}"
     )

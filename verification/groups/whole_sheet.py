@@ -238,9 +238,9 @@ def windows_text(stable: Sequence[str], single: int, count: int) -> str:
 def barrier_text(relative: Sequence[float], strain: float, joules: float) -> str:
     """Say how flat the energy is to sliding, and what that means for an experiment."""
     return (
-        f"the two parities differ by at most {max(relative):.0e} of the energy that the wrinkles "
-        f"save from strain {strain:g} on, {min(relative):.0e} at the least; for the sheet of the "
-        f"paper the largest barrier is {joules:.0e} J. "
+        f"from strain {strain:g} on the two parities differ by {min(relative):.0e} to "
+        f"{max(relative):.0e} of the energy that the wrinkles save. For the sheet of the paper the "
+        f"largest barrier is {joules:.0e} J. "
         + conclusion(
             max(relative) < _NEGLIGIBLE,
             "In an experiment imperfections, not this energy, will place the pattern (an "
@@ -299,14 +299,15 @@ def _text(done: ParityPairs) -> str:
     pinned = _pinned(done)
     default = [e for (_, across), rows in pinned.items() if across == DEFAULT_ACROSS for e in rows]
     return (
-        "The tangent of a state splits into four classes of perturbations that keep or break its "
-        f"two mirrors. In three of them the states of {len(done.pairs)} strains have {count} "
-        "unstable directions, both parities together. The fourth, which keeps x and breaks y, "
-        "holds the slide of the pattern across the sheet; its eigenvalue "
-        f"(1 is the bending stiffness of the flat state) lies between {min(sliding):.0e} and "
+        "A state has two mirrors. Perturbations fall into four classes, which keep or break each "
+        f"of them. In three classes the states of {len(done.pairs)} strains have {count} unstable "
+        "directions, both parities together. The fourth class, which keeps the mirror of x and "
+        "breaks that of y, has the slide of the pattern across the sheet. Its eigenvalue, in units "
+        f"of the bending stiffness of the flat state, lies between {min(sliding):.0e} and "
         f"{max(sliding):.0e} in size. {windows_text(stable, _single(done), len(done.pairs))} "
         "All of these states are minima within the quarter model, where sliding is excluded.\n\n"
-        f"How flat the energy is to sliding: {barrier_text(relative, late[0].strain, joules)}\n\n"
+        "The energy hardly changes as the pattern slides: "
+        f"{barrier_text(relative, late[0].strain, joules)}\n\n"
         f"{mesh_text(pinned, default, _shift(done))}"
     )
 

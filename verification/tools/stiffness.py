@@ -51,7 +51,7 @@ def stiffness(law: Law, bending: str, stretch: float) -> tuple[float, float]:
     free[2] = True
     problem = LoadedSheet(space, Section(law, thickness, bending), free, position)
     tangent = problem.derivatives(position[free])[2]
-    found = []
+    stiffnesses = []
     for axis, line, slope in ((0, space.grid.x[:, None], SLOPE_X), (1, space.grid.y, SLOPE_Y)):
         deflection = nodes(space)
         deflection[VALUE], deflection[slope] = 0.5 * line**2, line
@@ -59,8 +59,8 @@ def stiffness(law: Law, bending: str, stretch: float) -> tuple[float, float]:
         twice = float(w @ multiply(tangent, w))
         if axis == 0:
             twice -= thickness * nominal / stretch * 0.5 * length**3 / 3.0
-        found.append(twice / (0.5 * length) / thickness**3)
-    return found[0], found[1]
+        stiffnesses.append(twice / (0.5 * length) / thickness**3)
+    return stiffnesses[0], stiffnesses[1]
 
 
 def flexure(law: MooneyRivlin, stretch: float, bend: float) -> float:
@@ -113,8 +113,8 @@ def flexure_plate(law: MooneyRivlin, bending: str, stretch: float, bend: float) 
         curvature = np.array([0.0, angle * squared**0.5, 0.0])[:, None]
         return float(section.energy(metric, curvature)[0])
 
-    found = optimize.minimize_scalar(
+    least = optimize.minimize_scalar(
         energy, bounds=(0.9 * across**2, 1.1 * across**2), method="bounded", options={"xatol": 1e-9}
     )
     straight = float(law.energy(np.array([stretch**2, across**2, 0.0])[:, None])[0]) * THICKNESS
-    return (float(found.fun) - straight) / (0.5 * THICKNESS**3 * (angle * across) ** 2)
+    return (float(least.fun) - straight) / (0.5 * THICKNESS**3 * (angle * across) ** 2)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from wrinklestudy.cli.material_options import add_material, material
+from wrinklestudy.cli.material_options import add_material, model
 from wrinklestudy.cli.numbers import numbers, values_within, whole_number
 from wrinklestudy.cli.output import Answer, cell, table, wrapped
 from wrinklestudy.cli.outputs import add_overwrite, planned, write
@@ -68,13 +68,16 @@ def run(arguments: argparse.Namespace) -> Answer:
     (plot,) = planned("--plot", arguments.plot, SUFFIXES, arguments.overwrite, [""])
     if plot is not None and min(len(aspects), len(strains)) < 2:
         raise ValueError("--plot: contours need at least two L/W and two strains")
-    chosen, mesh = material(arguments), mesh_settings(arguments)
+    chosen, mesh = model(arguments), mesh_settings(arguments)
     _check_memory(max(aspects), mesh, min(arguments.jobs, len(aspects)))
-    model = (chosen, arguments.bending, mesh, arguments.parity)
-    tasks = [MapTask(aspect, tuple(strains), *model) for aspect in aspects]
+    bending, parity = chosen.bending or arguments.bending, chosen.parity or arguments.parity
+    tasks = [
+        MapTask(aspect, tuple(strains), chosen.material, bending, mesh, parity)
+        for aspect in aspects
+    ]
     points = [point for points in _computed(tasks, arguments.jobs) for point in points]
     if plot is not None:
-        write(plot, lambda path: _draw(points, chosen, path))
+        write(plot, lambda path: _draw(points, chosen.material, path))
     return Answer(points, _text(points), tuple(_failures(points)))
 
 

@@ -1,6 +1,7 @@
 """Options that choose a material: a law with its constants, or a material that is fitted."""
 
 import argparse
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -8,9 +9,19 @@ from wrinklestudy.cli.numbers import number
 
 if TYPE_CHECKING:
     from wrinklestudy.mechanics.laws import Material
+    from wrinklestudy.vocabulary import Parity
 
 DEFAULT_LAW = "mooney-rivlin"
 DEFAULT_CONFIG = "config.yaml"
+
+
+@dataclass(frozen=True)
+class Model:
+    """A material, and the bending law and the parity where a variant of the config sets them."""
+
+    material: "Material"
+    bending: str | None = None
+    parity: "Parity | None" = None
 
 
 def add_law(parser: argparse.ArgumentParser) -> None:
@@ -44,15 +55,15 @@ def add_material(parser: argparse.ArgumentParser) -> None:
     group.add_argument(
         "--material",
         metavar="NAME or FILE.json",
-        help="a material of the config, fitted to its data, or the file of a fit",
+        help="a material or variant of the config, fitted to its data, or the file of a fit",
     )
     group.add_argument(
         "--config", metavar="FILE", help=f"where --material looks, {DEFAULT_CONFIG} by default"
     )
 
 
-def material(arguments: argparse.Namespace) -> "Material":
-    """Return the material that the options describe."""
+def model(arguments: argparse.Namespace) -> Model:
+    """Return the material that the options describe, as the variant that they name."""
     from wrinklestudy.mechanics.laws import LAWS
 
     names = dict.fromkeys(c.name for law in LAWS.values() for c in law.constants)
@@ -61,15 +72,23 @@ def material(arguments: argparse.Namespace) -> "Material":
     if arguments.material is None:
         if arguments.config is not None:
             raise ValueError("--config: goes with --material NAME")
-        return _of_law(arguments.law, given)
+        return Model(_of_law(arguments.law, given))
     for name in ("law", *given):
         if name in arguments.given:
             raise ValueError(f"--material {arguments.material}: --{name} cannot go with it")
     if Path(arguments.material).suffix == ".json":
         if arguments.config is not None:
             raise ValueError("--config: goes with --material NAME, not with a file of a fit")
-        return _of_file(arguments.material)
-    return _of_config(arguments.material, arguments.config or DEFAULT_CONFIG)
+        return Model(_of_file(arguments.material))
+    chosen = _of_config(arguments.material, arguments.config or DEFAULT_CONFIG)
+    for name in ("bending", "parity"):
+        own = getattr(chosen, name)
+        if own is not None and name in arguments.given:
+            raise ValueError(
+                f"--material {arguments.material}: is a variant with {name} = {own}; --{name} "
+                "cannot go with it"
+            )
+    return chosen
 
 
 def _of_law(name: str, given: dict[str, float]) -> "Material":
@@ -96,13 +115,15 @@ def _of_file(path: str) -> "Material":
     return load_material(path)
 
 
-def _of_config(name: str, path: str) -> "Material":
+def _of_config(name: str, path: str) -> Model:
     from wrinklestudy.material.fit import fit
     from wrinklestudy.mechanics.laws import law_of
-    from wrinklestudy.study.config.one_material import read_material
+    from wrinklestudy.study.config.one_material import read_model
 
-    block = read_material(path, name)
+    block, variant = read_model(path, name)
     if block.data is None:
-        return law_of(block.law).material(**(block.constants or {}))
-    options = block.model_dump(exclude={"data", "law", "constants"})
-    return fit(block.data, block.law, **options).material()
+        material = law_of(block.law).material(**(block.constants or {}))
+    else:
+        options = block.model_dump(exclude={"data", "law", "constants"})
+        material = fit(block.data, block.law, **options).material()
+    return Model(material, variant.bending, variant.parity)

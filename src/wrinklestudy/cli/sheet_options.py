@@ -5,7 +5,7 @@ import sys
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from wrinklestudy.cli.material_options import add_law, add_material, material
+from wrinklestudy.cli.material_options import add_law, add_material, model
 from wrinklestudy.cli.numbers import number, whole_number
 from wrinklestudy.vocabulary import ASPECT, CELLS, PARITIES, THICKNESS
 
@@ -162,12 +162,13 @@ def sheet(arguments: argparse.Namespace, size: GivenSize) -> "Sheet":
     """Return the sheet that the options describe; say so where it is a large problem."""
     from wrinklestudy.sheet import Sheet
 
+    chosen = model(arguments)
     return Sheet(
         size.aspect,
         size.thickness,
-        material(arguments),
-        arguments.bending,
-        arguments.parity,
+        chosen.material,
+        chosen.bending or arguments.bending,
+        chosen.parity or arguments.parity,
         mesh_settings(arguments),
     )
 

@@ -6,7 +6,7 @@ are one matrix product per pair of components; a sparse matrix, built once, scat
 upper triangle of the global tangent.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -15,6 +15,27 @@ from scipy import sparse
 from wrinklestudy.fem.factorisation import Solver, make_solver
 from wrinklestudy.fem.space import Space
 from wrinklestudy.typing import Array, Indices, Mask
+
+
+@dataclass(frozen=True, eq=False)
+class Sparsity:
+    """Where the entries of element tangents go, and a factorisation whose ordering serves them all.
+
+    Parameters
+    ----------
+    pattern : sparse array
+        The upper triangle of a tangent.
+    scatter : sparse array
+        The map from the entries of element tangents to its data.
+    """
+
+    pattern: sparse.csr_array
+    scatter: sparse.csr_array
+
+    @cached_property
+    def solver(self) -> Solver:
+        """A factorisation for tangents of this pattern, whose ordering is computed once."""
+        return make_solver()
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,16 +51,19 @@ class Assembler:
     derivatives : int
         On how many of the derivatives x,1 x,2 x,11 x,22 x,12 the energy depends: 5, or 2 for a
         membrane.
+    known : dict
+        Sparsity of tangents by unknowns; what is computed joins it.
     """
 
     space: Space
     free: Mask
     derivatives: int = 5
+    known: dict[bytes, Sparsity] = field(default_factory=dict, repr=False)
 
-    @cached_property
+    @property
     def solver(self) -> Solver:
         """A factorisation for tangents of this pattern, whose ordering is computed once."""
-        return make_solver()
+        return self.sparsity.solver
 
     @property
     def pairs(self) -> list[tuple[int, int]]:
@@ -89,9 +113,15 @@ class Assembler:
         """Memory for the largest block of second derivatives, allocated once for all calls."""
         return np.empty((len(self.entries(False)), *self.space.measure.shape))
 
-    @cached_property
-    def _scatter(self) -> tuple[sparse.csr_array, sparse.csr_array]:
-        """Pattern of the upper triangle and the map from element tangents to its data."""
+    @property
+    def sparsity(self) -> Sparsity:
+        """The pattern of tangents."""
+        key = np.packbits(self.free).tobytes()
+        if key not in self.known:
+            self.known[key] = self._sparsity()
+        return self.known[key]
+
+    def _sparsity(self) -> Sparsity:
         numbers = np.full(self.free.shape, -1, dtype=np.int64)
         numbers[self.free] = np.arange(self.size)
         element_dofs = self.space.dofs.element_dofs
@@ -121,7 +151,7 @@ class Assembler:
             (np.zeros(len(starts)), column[starts].astype(np.int32), indptr),
             shape=(self.size, self.size),
         )
-        return pattern, scatter
+        return Sparsity(pattern, scatter)
 
     def residual(self, gradient: Array) -> Array:
         """Return the derivative of the energy with respect to every degree of freedom.
@@ -181,22 +211,18 @@ class Assembler:
 
     def scatter(self, elements: Array) -> sparse.csr_array:
         """Add up element entries into the upper triangle of the tangent."""
-        pattern, scatter = self._scatter
-        data = scatter @ elements
+        sparsity = self.sparsity
+        data, pattern = sparsity.scatter @ elements, sparsity.pattern
         return sparse.csr_array((data, pattern.indices, pattern.indptr), shape=pattern.shape)
 
 
 def shared_assembler(space: Space, free: Mask, derivatives: int = 5) -> Assembler:
-    """Return the assembler for some unknowns of a space, the same object at each call.
+    """Return an assembler for some unknowns of a space that shares its sparsity with the others.
 
-    Its sparsity pattern and the ordering of its factorisation then serve all strains and all
+    The sparsity pattern and the ordering of its factorisation then serve all strains and all
     thicknesses that are solved on the space.
     """
-    key = (np.packbits(free).tobytes(), derivatives)
-    if key not in space.shared:
-        space.shared[key] = Assembler(space, free, derivatives)
-    assembler: Assembler = space.shared[key]
-    return assembler
+    return Assembler(space, free, derivatives, space.shared)
 
 
 def _sorted_order(keys: Indices, count: int) -> Indices:

@@ -12,40 +12,13 @@ from skfem import Element
 from skfem.element import DiscreteField
 from skfem.refdom import RefQuad
 
+from wrinklestudy.fem.hermite import hermite
 from wrinklestudy.typing import Array
 
 # Corner of the reference square of each vertex, in scikit-fem's order, and order of the x and y
 # derivatives of each dof.
 CORNERS = ((0, 0), (1, 0), (1, 1), (0, 1))
 ORDERS = ((0, 0), (1, 0), (0, 1), (1, 1))
-
-
-def hermite(s: Array, derivative: int) -> Array:
-    """Return a derivative of the four cubic Hermite functions on the unit interval.
-
-    Parameters
-    ----------
-    s : (...) array
-        Points in [0, 1].
-    derivative : {0, 1, 2}
-        Order of the derivative.
-
-    Returns
-    -------
-    (2, 2, ...) array
-        Entry ``[end, order]`` belongs to the value (order 0) or slope (order 1) at the end s = 0
-        or 1.
-    """
-    if derivative == 0:
-        rows = (
-            (1 - 3 * s**2 + 2 * s**3, s - 2 * s**2 + s**3),
-            (3 * s**2 - 2 * s**3, s**3 - s**2),
-        )
-    elif derivative == 1:
-        rows = ((6 * s**2 - 6 * s, 1 - 4 * s + 3 * s**2), (6 * s - 6 * s**2, 3 * s**2 - 2 * s))
-    else:
-        rows = ((12 * s - 6, 6 * s - 4), (6 - 12 * s, 6 * s - 2))
-    return np.array(rows)
 
 
 def reference_basis(points: Array, derivative: tuple[int, int]) -> Array:

@@ -34,8 +34,9 @@ class Space:
 
     grid: Grid
     order: int = 5
-    # Assemblers by unknowns, see `assembly.shared_assembler`; they live as long as the space.
-    shared: dict[tuple[bytes, int], Any] = field(default_factory=dict, init=False, repr=False)
+    # Sparsity of tangents by unknowns, see `assembly.shared_assembler`. Nothing in it may refer to
+    # the space: then all memory of a sheet is free with the last reference to its space.
+    shared: dict[bytes, Any] = field(default_factory=dict, init=False, repr=False)
 
     @cached_property
     def mesh(self) -> MeshQuad:
@@ -115,9 +116,7 @@ class Space:
     def field_from_nodes(self, values: Array) -> Array:
         """Return dof vectors (..., size) from grid arrays (..., 4, nx + 1, ny + 1)."""
         field = np.empty((*values.shape[:-3], self.size))
-        # no -1 for the nodes: of a field without components they cannot be counted
-        nodes = values.shape[-2] * values.shape[-1]
-        field[..., self.dofs.nodal_dofs] = values.reshape(*values.shape[:-2], nodes)
+        field[..., self.dofs.nodal_dofs] = values.reshape(*values.shape[:-2], self.mesh.nvertices)
         return field
 
     def nodes_from_field(self, field: Array) -> Array:

@@ -3,6 +3,7 @@
 import numpy as np
 
 from wrinklestudy.fem.grid import Grid
+from wrinklestudy.fem.hermite import hermite_curve
 from wrinklestudy.fem.space import Space
 from wrinklestudy.typing import Array
 
@@ -20,23 +21,22 @@ def transferred(field: Array, source: Space, target: Space) -> Array:
     source, target : Space
         On grids of the same rectangle.
     """
-    value, slope_x, slope_y, mixed = np.moveaxis(source.nodes_from_field(field), -3, 0)
-    x, y = target.grid.x, target.grid.y
-    value, slope_x = _along(source.grid.x, value, slope_x, x, -2)
-    slope_y, mixed = _along(source.grid.x, slope_y, mixed, x, -2)
-    value, slope_y = _along(source.grid.y, value, slope_y, y, -1)
-    slope_x, mixed = _along(source.grid.y, slope_x, mixed, y, -1)
+    # A tensor product: first the lines along x, with x last, then those across.
+    nodes = np.moveaxis(source.nodes_from_field(field), -3, 0).swapaxes(-1, -2)
+    value, slope_x, slope_y, mixed = nodes
+    along = (source.grid.x, target.grid.x)
+    halves = (*_along(*along, value, slope_x), *_along(*along, slope_y, mixed))
+    value, slope_x, slope_y, mixed = (half.swapaxes(-1, -2) for half in halves)
+    across = (source.grid.y, target.grid.y)
+    value, slope_y = _along(*across, value, slope_y)
+    slope_x, mixed = _along(*across, slope_x, mixed)
     return target.field_from_nodes(np.stack([value, slope_x, slope_y, mixed], axis=-3))
 
 
-def _along(
-    lines: Array, value: Array, slope: Array, wanted: Array, axis: int
-) -> tuple[Array, Array]:
-    """Return value and slope at other grid lines along an axis."""
-    from scipy.interpolate import CubicHermiteSpline
-
-    spline = CubicHermiteSpline(lines, value, slope, axis=axis)
-    return spline(wanted), spline(wanted, 1)
+def _along(lines: Array, wanted: Array, value: Array, slope: Array) -> tuple[Array, Array]:
+    """Return value and slope at other grid lines along the last axis."""
+    first, second = (hermite_curve(lines, value, slope, wanted, order) for order in (0, 1))
+    return first, second
 
 
 def coarsened(grid: Grid, along: int, across: int) -> Grid:

@@ -4,9 +4,11 @@ Every file is written under a temporary name in its own folder and renamed when 
 and the same content gives the same bytes, so that a result can be compared and restored exactly.
 """
 
+import hashlib
 import json
 import math
 import os
+import platform
 import uuid
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -24,8 +26,9 @@ def atomic_path(output: AnyPath) -> Iterator[Path]:
     """Yield a temporary path that becomes ``output`` when the block ends without an error.
 
     The temporary file is hidden, lies in the folder of ``output`` (made if missing) and has the
-    same suffix. If the block raises, the temporary file is removed and an older ``output`` is left
-    as it was.
+    same suffix; its name has the host and the process that writes. If the block raises, the
+    temporary file is removed and an older ``output`` is left as it was. What a process of this host
+    that was killed left of the same file is removed first.
 
     Parameters
     ----------
@@ -39,12 +42,41 @@ def atomic_path(output: AnyPath) -> Iterator[Path]:
     """
     target = Path(output)
     target.parent.mkdir(parents=True, exist_ok=True)
-    temporary = target.with_name(f".{target.stem}-{uuid.uuid4().hex[:12]}{target.suffix}")
+    _remove_left_over(target)
+    temporary = target.with_name(
+        f".{target.stem}-{_host()}-{os.getpid()}-{uuid.uuid4().hex[:8]}{target.suffix}"
+    )
     try:
         yield temporary
         os.replace(temporary, target)
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def _remove_left_over(target: Path) -> None:
+    """Remove what processes of this host that live no more left of the same file."""
+    prefix, suffix = f".{target.stem}-{_host()}-", target.suffix
+    for path in target.parent.iterdir():
+        if path.name.startswith(prefix) and path.name.endswith(suffix):
+            process, _, _ = path.name.removeprefix(prefix).partition("-")
+            if process.isdecimal() and not _lives(int(process)):
+                path.unlink(missing_ok=True)
+
+
+def _host() -> str:
+    """Return a short name for this host, whose process ids mean nothing on another."""
+    return hashlib.sha256(platform.node().encode()).hexdigest()[:8]
+
+
+def _lives(process: int) -> bool:
+    """Whether there is a process of that id, of whatever user."""
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except OSError:
+        pass
+    return True
 
 
 def _plain(value: Any) -> Any:

@@ -10,6 +10,7 @@ import numpy as np
 
 from wrinklestudy.fem.boundary import NO_MIRRORS, Symmetry
 from wrinklestudy.fem.grid import Grid
+from wrinklestudy.fem.hermite import hermite_curve
 from wrinklestudy.typing import Array
 
 
@@ -59,23 +60,18 @@ def evaluate(grid: Grid, nodes: Array, x: Array, y: Array, dx: int = 0, dy: int 
         Value, d/dX, d/dY, d2/dXdY at the nodes.
     x, y : ndarray, shapes (m,) and (n,)
         Reference coordinates of the points.
-    dx, dy : int
+    dx, dy : {0, 1, 2}
         Orders of the derivatives d^dx/dX^dx d^dy/dY^dy.
 
     Returns
     -------
     ndarray, shape (..., m, n)
     """
-    from scipy.interpolate import CubicHermiteSpline  # imported here because it takes time
-
     # A tensor product: first values and Y-slopes, each cubic Hermite along X.
-    along = CubicHermiteSpline(
-        grid.x, nodes[..., [0, 2], :, :], nodes[..., [1, 3], :, :], axis=nodes.ndim - 2
-    )(x, dx)
-    across = CubicHermiteSpline(
-        grid.y, along[..., 0, :, :], along[..., 1, :, :], axis=along.ndim - 2
-    )
-    return np.asarray(across(y, dy))
+    value, slope_x, slope_y, mixed = np.moveaxis(nodes, -3, 0).swapaxes(-1, -2)
+    along = hermite_curve(grid.x, value, slope_x, x, dx)
+    slope_along = hermite_curve(grid.x, slope_y, mixed, x, dx)
+    return hermite_curve(grid.y, along.swapaxes(-1, -2), slope_along.swapaxes(-1, -2), y, dy)
 
 
 def subdivided(lines: Array, per_cell: int) -> Array:

@@ -8,16 +8,13 @@ so that both averages are returned: over the full width and over the central wri
 """
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from wrinklestudy.metrics.interpolant import DeformedSheet
 from wrinklestudy.metrics.profile import Profile, profile_from_state
+from wrinklestudy.metrics.spline import ProfileSpline
 from wrinklestudy.typing import Array
-
-if TYPE_CHECKING:
-    from scipy.interpolate import CubicSpline
 
 # An extremum counts if it stands out by this fraction of the range of z; ripples of noise do not.
 PROMINENCE = 0.1
@@ -82,15 +79,13 @@ def measure(profile: Profile) -> Measures:
     -------
     Measures
     """
-    from scipy.interpolate import CubicSpline  # imported here because it takes half a second
-
     y, z = profile.y, profile.z
     width = float(y[-1] - y[0])
     if np.abs(z).max() <= FLAT * width:
         nan, empty = float("nan"), np.empty(0)
         return Measures(0.0, nan, nan, width, width, 0.0, 0.0, nan, nan, empty)
-    curve = CubicSpline(y, z)
-    turning = _roots(curve.derivative())
+    curve = ProfileSpline.through(y, z)
+    turning = curve.turning_points()
     marks = np.concatenate([y[:1], turning[(turning > y[0]) & (turning < y[-1])], y[-1:]])
     heights = curve(marks)
     kept = prominent(heights, PROMINENCE * float(np.ptp(heights)))[1:-1]
@@ -150,18 +145,13 @@ def prominent(heights: Array, threshold: float) -> list[int]:
     return kept
 
 
-def _roots(curve: object) -> Array:
-    roots = np.asarray(curve.roots(discontinuity=False, extrapolate=False))  # type: ignore[attr-defined]
-    return np.unique(roots[np.isfinite(roots)])  # a piece that is zero throughout gives NaN
-
-
-def _crossings(curve: "CubicSpline", extrema: Array, levels: Array) -> Array:
+def _crossings(curve: ProfileSpline, extrema: Array, levels: Array) -> Array:
     """Return a zero crossing between any two neighbouring extrema of opposite sign."""
-    roots = _roots(curve)
+    zeros = curve.zeros()
     crossings = []
     for k in range(len(extrema) - 1):
         if levels[k] * levels[k + 1] < 0.0:
-            inside = roots[(roots > extrema[k]) & (roots < extrema[k + 1])]
+            inside = zeros[(zeros > extrema[k]) & (zeros < extrema[k + 1])]
             crossings.append(float(inside.mean()))
         else:
             crossings.append(float("nan"))  # keeps the directions alternating
@@ -181,9 +171,9 @@ def _spacing(positions: Array, centre: float) -> float:
     return float(second[nearest] - first[nearest])
 
 
-def _excess(curve: "CubicSpline", start: float, stop: float) -> float:
+def _excess(curve: ProfileSpline, start: float, stop: float) -> float:
     """Return arc length minus projected length of z(y) between two points."""
-    knots = curve.x
+    knots = curve.y
     inside = knots[(knots > start) & (knots < stop)]
     edges = np.concatenate([[start], inside, [stop]])
     half = 0.5 * np.diff(edges)
@@ -193,7 +183,7 @@ def _excess(curve: "CubicSpline", start: float, stop: float) -> float:
     return float(half @ (density @ _GAUSS_WEIGHTS))
 
 
-def _central_phi_squared(curve: "CubicSpline", y: Array, centre: float, wavelength: float) -> float:
+def _central_phi_squared(curve: ProfileSpline, y: Array, centre: float, wavelength: float) -> float:
     start, stop = centre - 0.5 * wavelength, centre + 0.5 * wavelength
     if not (start >= y[0] and stop <= y[-1]):
         return float("nan")

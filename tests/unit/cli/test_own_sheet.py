@@ -91,6 +91,34 @@ def test_a_material_of_a_config_is_its_fit_and_so_is_the_file_of_a_fit(
         assert numbers(state) == numbers(direct)
 
 
+VARIANT = f"""
+materials:
+  mine: {{data: {LATEX_CSV}, law: neo-hookean, stretch: [1.0, 1.5]}}
+variants:
+  mine-even: {{material: mine, bending: fvk, parity: symmetric}}
+  mine-lost: {{material: yours, bending: fvk}}
+  mine-wrong: {{material: mine, bending: stiff}}
+"""
+
+
+def test_a_variant_of_a_config_has_its_bending_law_and_parity(solved, capsys, tmp_path):
+    config = tmp_path / "mine.yaml"
+    config.write_text(VARIANT)
+    words = ["solve", "--aspect", "2", "--thickness", "1e-3", *COARSE, "--strain", "0.12"]
+    words += ["--config", str(config), "--material"]
+    (direct,) = solved(*words, "mine", "--bending", "fvk", "--parity", "symmetric")
+    (variant,) = solved(*words, "mine-even")
+    assert numbers(variant) == numbers(direct)
+    for choice, message in (
+        (["mine-even", "--bending", "fvk"], "is a variant with bending = fvk; --bending cannot go"),
+        (["mine-even", "--parity", "symmetric"], "--parity cannot go with it"),
+        (["mine-lost"], "materials has no 'yours'"),
+        (["mine-wrong"], "variants.mine-wrong.bending = 'stiff': must be"),
+        (["mine-evn"], "did you mean mine-even?"),
+    ):
+        assert message in refused(capsys, *words, *choice)
+
+
 SIZELESS = [*LATEX, *COARSE, "--strain", "0.1"]
 
 

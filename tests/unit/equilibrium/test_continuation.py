@@ -71,11 +71,11 @@ def test_strains_go_in_the_chosen_direction(start, short):
 def test_neighbours_are_at_most_a_step_apart(start):
     """Mean square of the deflection in t and strain in its scale; the arc bends a little."""
     options = ContinuationOptions(step=0.2, largest_step=0.2, max_points=4)
-    found = continuation.trace(start, (0.0, 1.0), options=options)
+    branch = continuation.trace(start, (0.0, 1.0), options=options)
     system = ExtendedSystem(start.planar, THICKNESS, options)
     points = [
         PathPoint(position[system.free], row.strain)
-        for position, row in zip(found.positions, found.points, strict=True)
+        for position, row in zip(branch.positions, branch.points, strict=True)
     ]
     changes = [b.minus(a) for a, b in pairwise(points)]
     steps = [np.sqrt(system.product(change, change)) for change in changes]
@@ -102,20 +102,20 @@ def test_tangent_is_the_slope_of_the_states_over_strain(start):
 def test_ends_where_the_flat_state_becomes_stable(ends, upward):
     """The amplitude passes zero at a pitchfork, where the strain of the branch turns back."""
     root, inside = (ends.decay_strain, -6e-3) if upward else (ends.birth_strain, 2e-3)
-    found = continuation.trace(state(root + inside), (0.0, 1.0), upward)
-    assert found.reason == "the amplitude vanishes"
-    assert dict(found.special)["vanishing"] == pytest.approx(root, abs=2e-5)
-    assert [kind for kind, _ in found.special] == ["vanishing"]
-    assert found.points[-1].amplitude <= 1e-3
+    branch = continuation.trace(state(root + inside), (0.0, 1.0), upward)
+    assert branch.reason == "the amplitude vanishes"
+    assert dict(branch.special)["vanishing"] == pytest.approx(root, abs=2e-5)
+    assert [kind for kind, _ in branch.special] == ["vanishing"]
+    assert branch.points[-1].amplitude <= 1e-3
     outward = 1 if upward else -1
-    beyond = [(p.strain - root) * outward for p in found.points if abs(p.amplitude) > 1e-3]
+    beyond = [(p.strain - root) * outward for p in branch.points if abs(p.amplitude) > 1e-3]
     assert max(beyond) < 2e-5
 
 
 def test_ends_at_the_range_of_strains(start):
-    found = continuation.trace(start, (0.1, 0.13), options=ContinuationOptions(step=0.3))
-    assert found.reason == "end of the range of strains"
-    assert found.points[-2].strain <= 0.13 < found.points[-1].strain
+    branch = continuation.trace(start, (0.1, 0.13), options=ContinuationOptions(step=0.3))
+    assert branch.reason == "end of the range of strains"
+    assert branch.points[-2].strain <= 0.13 < branch.points[-1].strain
 
 
 def test_refuses_a_flat_state():
@@ -144,5 +144,5 @@ def test_folds_and_changes_of_stability_of_a_table():
 )
 def test_amplitude_vanishes_where_its_square_does(root, slope, sides, sign):
     points = [point(root + sign * d, np.sqrt(slope * d)) for d in sides]
-    found = continuation.special_points([*points, point(root, 0.0)])
-    assert found == (("vanishing", pytest.approx(root, abs=1e-9)),)
+    special = continuation.special_points([*points, point(root, 0.0)])
+    assert special == (("vanishing", pytest.approx(root, abs=1e-9)),)

@@ -24,10 +24,10 @@ def state():
 @pytest.mark.parametrize("parity", ["antisymmetric", "symmetric"])
 def test_unstable_directions_of_the_plate_follow_from_the_modes(state, bending, parity):
     """Between tau_k and tau_(k+1) the tangent of the flat plate has k negative eigenvalues."""
-    found = modes.critical_modes(state, bending, Symmetry.mirrored(parity), 4)
-    tau = found.thickness
+    leading_modes = modes.critical_modes(state, bending, Symmetry.mirrored(parity), 4)
+    tau = leading_modes.thickness
     for count, thickness in enumerate([1.01 * tau[0], 0.5 * (tau[0] + tau[1]), 0.99 * tau[1]]):
-        problem = PlateProblem.of_flat(state, found, thickness)
+        problem = PlateProblem.of_flat(state, leading_modes, thickness)
         start = np.zeros((3, state.space.size))
         start[:2] = state.position
         _, residual, tangent = problem.derivatives(start[problem.assembler.free])
@@ -37,50 +37,53 @@ def test_unstable_directions_of_the_plate_follow_from_the_modes(state, bending, 
 
 def test_modes_are_orthonormal_in_bending(state):
     stress, bent, assembler, _ = modes.deflection_forms(state, "thinning", QUARTER)
-    found = modes.spectrum(state, count=5)
-    shapes = found.shapes[:, assembler.free[0]].T
+    leading_modes = modes.spectrum(state, count=5)
+    shapes = leading_modes.shapes[:, assembler.free[0]].T
     assert np.allclose(shapes.T @ multiply(bent, shapes), np.eye(5), atol=1e-8)
     assert np.allclose(
         -shapes.T @ multiply(stress, shapes),
-        np.diag(found.squared),
-        atol=1e-8 * found.squared[0],
+        np.diag(leading_modes.squared),
+        atol=1e-8 * leading_modes.squared[0],
     )
 
 
 def test_reduced_energy_is_the_energy_of_small_wrinkles(state):
     """E - E_flat = t (1/2 sum (t^2 - tau^2) q^2 + 1/2 z G z) up to sixth order."""
-    found, thickness = modes.critical_modes(state, count=3), 1e-4
-    problem = PlateProblem.of_flat(state, found, thickness)
+    leading_modes, thickness = modes.critical_modes(state, count=3), 1e-4
+    problem = PlateProblem.of_flat(state, leading_modes, thickness)
     free = problem.assembler.free
     direction = np.array([1.0, -0.4, 0.3])
     first, second = np.array(quartic.pairs(3)).T
-    flat_energy = problem.energy(seeds.seed_position(state, found, 0 * direction)[free])
+    flat_energy = problem.energy(seeds.seed_position(state, leading_modes, 0 * direction)[free])
 
     def remainder(size):
         q = size * direction
         z = q[first] * q[second]
-        quartic = 0.5 * z @ found.quartic @ z
-        expected = 0.5 * np.sum((thickness**2 - found.squared) * q**2) + quartic
-        full = problem.energy(seeds.seed_position(state, found, q)[free]) - flat_energy
+        quartic = 0.5 * z @ leading_modes.quartic @ z
+        expected = 0.5 * np.sum((thickness**2 - leading_modes.squared) * q**2) + quartic
+        full = problem.energy(seeds.seed_position(state, leading_modes, q)[free]) - flat_energy
         return (full / thickness - expected) / quartic
 
     # In parts of the quartic term the remainder falls like the amplitude squared. The sheet is
     # so thin that the part of bending in the quartic term, smaller by (t k)^2, does not show.
-    amplitude = 0.1 / np.abs(found.shapes[0]).max()
+    amplitude = 0.1 / np.abs(leading_modes.shapes[0]).max()
     large, small = abs(remainder(2 * amplitude)), abs(remainder(amplitude))
     assert small < 0.05
     assert small < 0.35 * large
 
 
 def test_seeds_are_stationary_and_below_the_flat_state(state):
-    found, thickness = modes.critical_modes(state, count=4), 8e-4
-    assert np.sum(found.thickness > thickness) >= 2
-    starts = seeds.seeds(found, thickness)
+    leading_modes, thickness = modes.critical_modes(state, count=4), 8e-4
+    assert np.sum(leading_modes.thickness > thickness) >= 2
+    starts = seeds.seeds(leading_modes, thickness)
     first, second = np.array(quartic.pairs(4)).T
 
     def energy(q):
         z = q[first] * q[second]
-        return 0.5 * np.sum((thickness**2 - found.squared) * q**2) + 0.5 * z @ found.quartic @ z
+        return (
+            0.5 * np.sum((thickness**2 - leading_modes.squared) * q**2)
+            + 0.5 * z @ leading_modes.quartic @ z
+        )
 
     lowest = energy(starts[0])
     assert lowest < 0
@@ -93,25 +96,27 @@ def test_seeds_are_stationary_and_below_the_flat_state(state):
 
 
 def test_a_thick_sheet_has_no_seeds(state):
-    found = modes.critical_modes(state, count=3)
-    assert seeds.seeds(found, 1.01 * found.critical_thickness) == []
+    leading_modes = modes.critical_modes(state, count=3)
+    assert seeds.seeds(leading_modes, 1.01 * leading_modes.critical_thickness) == []
 
 
 def test_corner_modes_of_a_uniform_grid_are_recognised():
     """On a uniform 16 x 24 grid a mode of the corner passes the wrinkle from strain 0.3 on."""
     grid = Grid(np.linspace(0, 1, 17), np.linspace(0, 0.5, 25))
     state = flat.solve(grid, LATEX, 0.45)
-    found = modes.critical_modes(state, count=6)
-    leading = int(np.argmax(found.squared))
-    assert not found.wrinkles[leading]
+    leading_modes = modes.critical_modes(state, count=6)
+    leading = int(np.argmax(leading_modes.squared))
+    assert not leading_modes.wrinkles[leading]
     graded = flat.solve(make_grid(2.0, settings=MeshSettings(16, 24)), LATEX, 0.45)
-    assert found.critical_thickness == pytest.approx(modes.critical_thickness(graded), rel=0.02)
+    assert leading_modes.critical_thickness == pytest.approx(
+        modes.critical_thickness(graded), rel=0.02
+    )
 
 
 def test_critical_thickness_of_small_strains_goes_like_their_root(state):
     strains = np.array([1e-7, 1e-5, 1e-3])
-    found = [modes.critical_thickness(flat.solve(state.space, LATEX, e)) for e in strains]
-    ratio = found / np.sqrt(strains)
+    thicknesses = [modes.critical_thickness(flat.solve(state.space, LATEX, e)) for e in strains]
+    ratio = thicknesses / np.sqrt(strains)
     assert np.abs(np.diff(ratio)).max() < 10 * strains[-1] * ratio[0]
     assert abs(ratio[1] - ratio[0]) < 10 * strains[1] * ratio[0]
 
@@ -124,8 +129,8 @@ def test_inertia_counts_the_modes_that_a_whole_spectrum_has(state):
     for thickness in (1e-6, 1e-4, 5e-4, 1e-3, 2e-3):
         expected = int(np.sum(squared > thickness**2))
         assert count_negative_eigenvalues(forms.shifted(thickness**2)) == expected
-    found = modes.spectrum(state, "fvk", count=6).squared
-    assert found == pytest.approx(squared[:6], rel=1e-8)
+    leading_modes = modes.spectrum(state, "fvk", count=6).squared
+    assert leading_modes == pytest.approx(squared[:6], rel=1e-8)
 
 
 @pytest.mark.parametrize("poisson", [0.0, 1e-8])

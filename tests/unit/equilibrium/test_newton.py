@@ -36,11 +36,11 @@ class DoubleWell:
 
 @pytest.mark.parametrize("start", [(0.01, 0.0), (-0.2, 0.3), (5.0, -3.0)])
 def test_finds_a_minimum_from_an_indefinite_start(start):
-    found = minimise(DoubleWell(), np.array(start), make_solver(), NewtonOptions())
-    assert found.converged
-    assert np.allclose(np.abs(found.unknowns), 1.0, atol=1e-9)
-    assert found.history[-1].shift == 0.0
-    energies = [row.energy for row in found.history]
+    minimum = minimise(DoubleWell(), np.array(start), make_solver(), NewtonOptions())
+    assert minimum.converged
+    assert np.allclose(np.abs(minimum.unknowns), 1.0, atol=1e-9)
+    assert minimum.history[-1].shift == 0.0
+    energies = [row.energy for row in minimum.history]
     assert np.all(np.diff(energies) <= 1e-12)
 
 
@@ -56,30 +56,30 @@ class Rounded(DoubleWell):
 @pytest.mark.parametrize(("noise", "converged"), [(1e-15, True), (1e-25, False)])
 def test_ends_where_only_rounding_is_left(noise, converged):
     options = NewtonOptions(tolerance=1e-22, max_iterations=30, noise=noise)
-    found = minimise(Rounded(), np.array([0.5, 0.4]), make_solver(), options)
-    assert found.converged == converged
-    assert np.allclose(found.unknowns, 1.0, atol=1e-8)
+    minimum = minimise(Rounded(), np.array([0.5, 0.4]), make_solver(), options)
+    assert minimum.converged == converged
+    assert np.allclose(minimum.unknowns, 1.0, atol=1e-8)
 
 
 def test_stays_off_the_saddle_even_where_the_residual_vanishes():
     """At the saddle the residual is zero, but the tangent is indefinite: not a minimum."""
-    found = minimise(DoubleWell(), np.zeros(2), make_solver(), NewtonOptions(max_iterations=5))
-    assert not found.converged
-    assert np.all(found.unknowns == 0)
+    minimum = minimise(DoubleWell(), np.zeros(2), make_solver(), NewtonOptions(max_iterations=5))
+    assert not minimum.converged
+    assert np.all(minimum.unknowns == 0)
 
 
 def test_reports_the_limit_of_iterations_with_history():
-    found = minimise(
+    minimum = minimise(
         DoubleWell(), np.array([5.0, -3.0]), make_solver(), NewtonOptions(max_iterations=2)
     )
-    assert not found.converged
-    assert found.reason == "no convergence in 2 iterations"
-    assert len(found.history) == 2
+    assert not minimum.converged
+    assert minimum.reason == "no convergence in 2 iterations"
+    assert len(minimum.history) == 2
 
 
 def test_reports_an_indefinite_tangent_without_shifts():
-    found = minimise(DoubleWell(False), np.array([0.01, 0.0]), make_solver(), NewtonOptions())
-    assert "indefinite" in found.reason
+    minimum = minimise(DoubleWell(False), np.array([0.01, 0.0]), make_solver(), NewtonOptions())
+    assert "indefinite" in minimum.reason
 
 
 @pytest.mark.parametrize(("key", "value"), [("tolerance", 0.0), ("max_iterations", 0)])

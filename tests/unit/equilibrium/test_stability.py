@@ -32,17 +32,17 @@ def exact(thickness, low, high):
 
 @given(st.floats(3e-4, 1.49e-3))
 def test_roots_to_the_tolerance(thickness):
-    found = find(hill, thickness)
-    assert found.birth_strain == pytest.approx(exact(thickness, 0, 0.1), abs=5e-5)
-    assert found.decay_strain == pytest.approx(exact(thickness, 0.1, 1.0), abs=5e-5)
+    limits = find(hill, thickness)
+    assert limits.birth_strain == pytest.approx(exact(thickness, 0, 0.1), abs=5e-5)
+    assert limits.decay_strain == pytest.approx(exact(thickness, 0.1, 1.0), abs=5e-5)
 
 
 @given(st.floats(1e-6, 3e-4))
 def test_birth_of_a_thin_sheet_is_known_in_parts_of_itself(thickness):
     """A sheet of small strain is linear: tau_1 goes like the root of eps, birth like t^2."""
-    found = find(lambda strain: 7e-3 * math.sqrt(strain) * math.exp(-strain / 0.2), thickness)
-    assert found.birth_strain == pytest.approx((thickness / 7e-3) ** 2, rel=0.02)
-    tau = 7e-3 * math.sqrt(found.birth_strain) * math.exp(-found.birth_strain / 0.2)
+    limits = find(lambda strain: 7e-3 * math.sqrt(strain) * math.exp(-strain / 0.2), thickness)
+    assert limits.birth_strain == pytest.approx((thickness / 7e-3) ** 2, rel=0.02)
+    tau = 7e-3 * math.sqrt(limits.birth_strain) * math.exp(-limits.birth_strain / 0.2)
     assert tau == pytest.approx(thickness, rel=1e-3)
 
 
@@ -66,17 +66,17 @@ def test_the_search_ends_where_the_law_does_and_says_so():
         return nowhere(strain) if strain > 0.35 else hill(strain)
 
     for guide in (None, hill, ending):
-        found = find(ending, 4e-4, guide=guide)
-        assert found.birth_strain == pytest.approx(exact(4e-4, 0, 0.1), abs=1e-5)
-        assert found.decay_strain is None
-        assert 0.32 <= found.largest_strain <= 0.35
-        assert found.reason == "no thickness is left"
+        limits = find(ending, 4e-4, guide=guide)
+        assert limits.birth_strain == pytest.approx(exact(4e-4, 0, 0.1), abs=1e-5)
+        assert limits.decay_strain is None
+        assert 0.32 <= limits.largest_strain <= 0.35
+        assert limits.reason == "no thickness is left"
 
 
 def test_a_thick_sheet_never_wrinkles():
-    found = find(hill, 1.51e-3)
-    assert found.birth_strain is None
-    assert found.decay_strain is None
+    limits = find(hill, 1.51e-3)
+    assert limits.birth_strain is None
+    assert limits.decay_strain is None
 
 
 def test_a_narrow_range_between_known_strains_is_found():
@@ -84,9 +84,9 @@ def test_a_narrow_range_between_known_strains_is_found():
     known = [(e, hill(e)) for e in (0.02, 0.07, 0.14, 0.3)]
     thickness = 1.48e-3
     assert max(tau for _, tau in known) < thickness
-    found = find(hill, thickness, known)
-    assert found.birth_strain == pytest.approx(exact(thickness, 0, 0.1), abs=5e-5)
-    assert found.decay_strain == pytest.approx(exact(thickness, 0.1, 1.0), abs=5e-5)
+    limits = find(hill, thickness, known)
+    assert limits.birth_strain == pytest.approx(exact(thickness, 0, 0.1), abs=5e-5)
+    assert limits.decay_strain == pytest.approx(exact(thickness, 0.1, 1.0), abs=5e-5)
 
 
 def test_the_search_goes_on_beyond_the_last_known_strain():
@@ -97,16 +97,16 @@ def test_the_search_goes_on_beyond_the_last_known_strain():
         return hill(strain)
 
     known = [(e, hill(e)) for e in (0.02, 0.05, 0.1, 0.15)]
-    found = find(counted, 5e-4, known)
-    assert found.decay_strain == pytest.approx(exact(5e-4, 0.1, 1.0), abs=5e-5)
+    limits = find(counted, 5e-4, known)
+    assert limits.decay_strain == pytest.approx(exact(5e-4, 0.1, 1.0), abs=5e-5)
     assert len(calls) < 15
 
 
 def test_wrinkles_that_never_vanish_have_no_decay():
-    found = find(lambda strain: 2e-3 * (1 - math.exp(-strain / 0.05)), 1e-3)
-    assert found.birth_strain == pytest.approx(0.05 * math.log(2), abs=5e-5)
-    assert found.decay_strain is None
-    assert found.largest_strain == pytest.approx(1.0)
+    limits = find(lambda strain: 2e-3 * (1 - math.exp(-strain / 0.05)), 1e-3)
+    assert limits.birth_strain == pytest.approx(0.05 * math.log(2), abs=5e-5)
+    assert limits.decay_strain is None
+    assert limits.largest_strain == pytest.approx(1.0)
 
 
 def test_known_values_are_not_computed_again():
@@ -124,9 +124,9 @@ def test_known_values_are_not_computed_again():
 
 @given(st.floats(0.02, 0.6))
 def test_the_maximum_is_found_wherever_it_lies_between_the_strains_of_the_survey(place):
-    found = find(lambda strain: 1.5e-3 * math.e * strain / place * math.exp(-strain / place), 1e-3)
-    assert found.max_critical_thickness == pytest.approx(1.5e-3, rel=1e-5)
-    assert found.strain_at_max == pytest.approx(place, rel=1e-2)
+    limits = find(lambda strain: 1.5e-3 * math.e * strain / place * math.exp(-strain / place), 1e-3)
+    assert limits.max_critical_thickness == pytest.approx(1.5e-3, rel=1e-5)
+    assert limits.strain_at_max == pytest.approx(place, rel=1e-2)
 
 
 def two_humps(strain):
@@ -140,15 +140,15 @@ def two_humps(strain):
 
 @pytest.mark.parametrize("guide", [None, lambda strain: (0.99 + 0.02 * strain) * two_humps(strain)])
 def test_of_two_humps_both_ranges_and_the_higher_maximum_are_found(guide):
-    found = find(two_humps, 1e-3, guide=guide)
+    limits = find(two_humps, 1e-3, guide=guide)
     scan = np.linspace(1e-4, 1.0, 100_001)
     tau = np.array([two_humps(strain) for strain in scan])
     ends = scan[1:][np.diff(tau > 1e-3)]
     assert len(ends) == 4
-    assert [end for pair in found.ranges for end in pair] == pytest.approx(list(ends), abs=2e-5)
-    assert (found.birth_strain, found.decay_strain) == (found.ranges[0][0], found.ranges[1][1])
-    assert found.max_critical_thickness == pytest.approx(tau.max(), rel=1e-5)
-    assert found.strain_at_max == pytest.approx(scan[tau.argmax()], abs=2e-3)
+    assert [end for pair in limits.ranges for end in pair] == pytest.approx(list(ends), abs=2e-5)
+    assert (limits.birth_strain, limits.decay_strain) == (limits.ranges[0][0], limits.ranges[1][1])
+    assert limits.max_critical_thickness == pytest.approx(tau.max(), rel=1e-5)
+    assert limits.strain_at_max == pytest.approx(scan[tau.argmax()], abs=2e-3)
 
 
 def test_a_valley_between_the_strains_of_the_survey_parts_two_ranges():
@@ -157,11 +157,11 @@ def test_a_valley_between_the_strains_of_the_survey_parts_two_ranges():
     def dipping(strain):
         return 1.4e-3 * min(1.0, strain / 0.01) * max(1 - 1.6 * strain, 1 - 1.6 * (0.54 - strain))
 
-    found = find(dipping, 0.83e-3)
+    limits = find(dipping, 0.83e-3)
     edge = (1 - 0.83 / 1.4) / 1.6
-    assert len(found.ranges) == 2
-    assert found.ranges[0][1] == pytest.approx(edge, abs=2e-5)
-    assert found.ranges[1][0] == pytest.approx(0.54 - edge, abs=2e-5)
+    assert len(limits.ranges) == 2
+    assert limits.ranges[0][1] == pytest.approx(edge, abs=2e-5)
+    assert limits.ranges[1][0] == pytest.approx(0.54 - edge, abs=2e-5)
 
 
 def test_a_decay_just_below_the_end_of_the_law_is_found():
@@ -170,9 +170,9 @@ def test_a_decay_just_below_the_end_of_the_law_is_found():
     def ending(strain):
         return nowhere(strain) if strain > 0.38 else hill(strain)
 
-    found = find(ending, hill(0.36))
-    assert found.decay_strain == pytest.approx(0.36, abs=1e-5)
-    assert 0.375 < found.largest_strain <= 0.38
+    limits = find(ending, hill(0.36))
+    assert limits.decay_strain == pytest.approx(0.36, abs=1e-5)
+    assert 0.375 < limits.largest_strain <= 0.38
 
 
 def test_a_maximum_with_a_kink_is_found_too():
@@ -181,9 +181,9 @@ def test_a_maximum_with_a_kink_is_found_too():
     def roof(strain):
         return 1.5e-3 * min(strain / 0.137, math.exp((0.137 - strain) / 0.3))
 
-    found = find(roof, 1e-3)
-    assert found.max_critical_thickness == pytest.approx(1.5e-3, rel=1e-5)
-    assert found.birth_strain == pytest.approx(0.137 / 1.5, abs=1e-5)
+    limits = find(roof, 1e-3)
+    assert limits.max_critical_thickness == pytest.approx(1.5e-3, rel=1e-5)
+    assert limits.birth_strain == pytest.approx(0.137 / 1.5, abs=1e-5)
 
 
 def test_a_guide_spares_the_curve_and_changes_no_answer():
@@ -198,27 +198,27 @@ def test_a_guide_spares_the_curve_and_changes_no_answer():
         return hill(strain) / (1 + 1e-3 + 2e-9 / (hill(strain) ** 2 + 2.5e-8))
 
     thickness = 2e-4
-    found = find(counted, thickness, guide=guide)
+    limits = find(counted, thickness, guide=guide)
     assert len(calls) <= 7
-    assert found.birth_strain == pytest.approx(exact(thickness, 0, 0.1), rel=1e-3)
-    assert found.decay_strain == pytest.approx(exact(thickness, 0.1, 1.0), abs=1e-5)
-    assert found.max_critical_thickness == pytest.approx(1.5e-3, rel=2e-5)
-    table = np.array(found.critical_thickness)
+    assert limits.birth_strain == pytest.approx(exact(thickness, 0, 0.1), rel=1e-3)
+    assert limits.decay_strain == pytest.approx(exact(thickness, 0.1, 1.0), abs=1e-5)
+    assert limits.max_critical_thickness == pytest.approx(1.5e-3, rel=2e-5)
+    table = np.array(limits.critical_thickness)
     assert table[:, 1] == pytest.approx([hill(e) for e in table[:, 0]], rel=0.1)
 
 
 def test_a_guide_that_is_much_too_low_hides_no_wrinkles():
     """The coarse mesh gives no tau_1 above t, that of the sheet does."""
-    found = find(hill, 1.48e-3, guide=lambda strain: 0.95 * hill(strain))
-    assert found.birth_strain == pytest.approx(exact(1.48e-3, 0, 0.1), abs=1e-5)
-    assert found.decay_strain == pytest.approx(exact(1.48e-3, 0.1, 1.0), abs=1e-5)
+    limits = find(hill, 1.48e-3, guide=lambda strain: 0.95 * hill(strain))
+    assert limits.birth_strain == pytest.approx(exact(1.48e-3, 0, 0.1), abs=1e-5)
+    assert limits.decay_strain == pytest.approx(exact(1.48e-3, 0.1, 1.0), abs=1e-5)
 
 
 def test_a_sheet_that_no_thickness_wrinkles_costs_no_fine_value():
-    found = find(nowhere, 1e-4, guide=lambda _: 0.0)
-    assert found.ranges == ()
-    assert found.max_critical_thickness == 0.0
-    assert found.largest_strain == 1.0
+    limits = find(nowhere, 1e-4, guide=lambda _: 0.0)
+    assert limits.ranges == ()
+    assert limits.max_critical_thickness == 0.0
+    assert limits.largest_strain == 1.0
 
 
 @pytest.mark.parametrize(

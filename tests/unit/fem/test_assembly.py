@@ -5,7 +5,7 @@ import pytest
 from skfem import Basis, BilinearForm, LinearForm
 from skfem.helpers import dd, ddot, dot, grad
 
-from wrinklestudy.fem.assembly import Assembler
+from wrinklestudy.fem.assembly import Assembler, shared_assembler
 from wrinklestudy.fem.element import ElementQuadHermite
 from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.space import Space
@@ -101,3 +101,11 @@ def test_what_is_assembled_is_left_as_it_is(space):
     first, second = assembler.tangent(blocks), assembler.tangent(blocks)
     assert all(map(np.array_equal, blocks, copies))
     assert np.array_equal(first.data, second.data)
+
+
+def test_assemblers_of_the_same_unknowns_share_pattern_and_ordering(space):
+    free = np.random.default_rng(5).random((2, space.size)) < 0.5
+    first, second = (shared_assembler(space, free.copy(), order) for order in (2, 5))
+    assert first.sparsity is second.sparsity
+    assert first.solver is second.solver
+    assert Assembler(space, free).sparsity is not first.sparsity

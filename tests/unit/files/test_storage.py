@@ -1,5 +1,7 @@
 """Files are whole or absent, the same content gives the same bytes, and reading undoes writing."""
 
+import subprocess
+import sys
 import time
 
 import numpy as np
@@ -34,6 +36,41 @@ def test_the_temporary_file_is_a_hidden_neighbour_with_the_same_suffix(tmp_path)
         path.write_text("x")
         assert not output.exists()
     assert [p.name for p in output.parent.iterdir()] == ["strain0.12.h5"]
+
+
+_KILLED = """
+import os, sys
+from wrinklestudy.files.storage import atomic_path
+
+with atomic_path(sys.argv[1]) as path:
+    path.write_text("half")
+    os.kill(os.getpid(), 9)
+"""
+
+
+def test_what_a_killed_process_left_goes_with_the_next_write(tmp_path):
+    output = tmp_path / "state.h5"
+    for name in ("state.h5", "state-2.h5"):
+        subprocess.run([sys.executable, "-c", _KILLED, tmp_path / name], check=False)
+    left = sorted(tmp_path.iterdir())
+    assert len(left) == 2
+    storage.write_h5(output, {"x": np.ones(1)}, {})
+    other = next(path for path in left if path.name.startswith(".state-2"))
+    assert sorted(tmp_path.iterdir()) == sorted([output, other])
+
+
+def test_what_a_living_process_or_another_host_writes_stays(tmp_path, monkeypatch):
+    output = tmp_path / "state.h5"
+    with storage.atomic_path(output) as living:
+        living.write_text("half")
+        storage.write_h5(output, {"x": np.ones(1)}, {})
+        assert living.exists()
+    with monkeypatch.context() as elsewhere:
+        elsewhere.setattr(storage.platform, "node", lambda: "elsewhere")
+        subprocess.run([sys.executable, "-c", _KILLED, output], check=False)
+        here = set(tmp_path.iterdir())
+        storage.write_h5(output, {"x": np.ones(1)}, {})
+    assert set(tmp_path.iterdir()) == here
 
 
 def test_unwritable_content_writes_nothing(tmp_path):

@@ -123,3 +123,14 @@ def test_the_order_of_the_terms_does_not_matter_to_the_law_but_is_settled_for_fi
     metric = np.array([1.5, 0.8, 0.2])
     one, other = Ogden.material(**values), Ogden.material(**settled)
     assert one.law.energy(metric) == pytest.approx(other.law.energy(metric), rel=1e-14)
+
+
+@pytest.mark.parametrize("strain", [1e-5, 1e-4, 1e-3])
+def test_the_energy_of_a_small_strain_keeps_its_digits(strain):
+    """mu_p/alpha_p is many times the shear modulus; Newton's method compares such energies."""
+    law = ogden(4939.63, 4.45149, -1.67034e6, -0.464803).law
+    metric = [1.0 + 2.0 * strain, 1.0 - strain, 0.3 * strain]
+    with localcontext() as context:
+        context.prec = 60
+        exact = float(_energy(law, [Decimal(value) for value in metric]))
+    assert law.energy(np.array(metric)) == pytest.approx(exact, rel=0.0, abs=1e-15)

@@ -30,42 +30,42 @@ def wave_packet(points=3001, shift=0.0):
 @settings(max_examples=40, deadline=None)
 @given(**sinusoids)
 def test_a_sinusoid_has_the_arc_length_of_the_elliptic_integral(amplitude, wavelength, phase):
-    found = measure(sinusoid(amplitude, wavelength, phase))
+    measures = measure(sinusoid(amplitude, wavelength, phase))
     k = 2.0 * np.pi / wavelength
     slope = (amplitude * k) ** 2
     modulus = slope / (1.0 + slope)
     ends = ellipeinc(np.array([-0.5, 0.5]) * k + phase, modulus)
     exact = np.sqrt(1.0 + slope) * (ends[1] - ends[0]) / k
-    assert found.arc_width == pytest.approx(exact, rel=1e-9)
-    assert found.phi_squared == pytest.approx(exact - 1.0, rel=1e-5)
-    assert found.projected_width == 1.0
+    assert measures.arc_width == pytest.approx(exact, rel=1e-9)
+    assert measures.phi_squared == pytest.approx(exact - 1.0, rel=1e-5)
+    assert measures.projected_width == 1.0
 
 
 @settings(max_examples=40, deadline=None)
 @given(**sinusoids)
 def test_a_sinusoid_has_its_amplitude_wavelength_and_constant(amplitude, wavelength, phase):
-    found = measure(sinusoid(amplitude, wavelength, phase))
-    assert found.amplitude == pytest.approx(amplitude, rel=1e-6)
-    assert found.wavelength == pytest.approx(wavelength, rel=1e-6)
-    assert found.wavelength_zero == pytest.approx(wavelength, rel=1e-6)
+    measures = measure(sinusoid(amplitude, wavelength, phase))
+    assert measures.amplitude == pytest.approx(amplitude, rel=1e-6)
+    assert measures.wavelength == pytest.approx(wavelength, rel=1e-6)
+    assert measures.wavelength_zero == pytest.approx(wavelength, rel=1e-6)
     # C pi = 1 + 3 s^2/32 + O(s^4) for the largest slope s
     slope = 2.0 * np.pi * amplitude / wavelength
-    excess = np.pi * found.shape_constant_central - 1.0
+    excess = np.pi * measures.shape_constant_central - 1.0
     assert excess == pytest.approx(3.0 * slope**2 / 32.0, abs=0.1 * slope**4 + 1e-5)
 
 
 def test_the_constant_of_a_sinusoid_tends_to_one_over_pi():
     """Whole wavelengths over the width, so that both averages are those of the sinusoid."""
-    found = measure(sinusoid(1e-5, 0.125, 0.3))
-    assert found.shape_constant == pytest.approx(1.0 / np.pi, rel=1e-5)
-    assert found.shape_constant_central == pytest.approx(1.0 / np.pi, rel=1e-5)
+    measures = measure(sinusoid(1e-5, 0.125, 0.3))
+    assert measures.shape_constant == pytest.approx(1.0 / np.pi, rel=1e-5)
+    assert measures.shape_constant_central == pytest.approx(1.0 / np.pi, rel=1e-5)
 
 
 def test_a_localised_wrinkle_has_a_smaller_phi_over_the_full_width():
     """The averaging decides the constant: the flat margins count in one and not in the other."""
-    found = measure(wave_packet())
-    assert found.phi_squared < 0.5 * found.phi_squared_central
-    assert found.shape_constant > 1.4 * found.shape_constant_central
+    measures = measure(wave_packet())
+    assert measures.phi_squared < 0.5 * measures.phi_squared_central
+    assert measures.shape_constant > 1.4 * measures.shape_constant_central
 
 
 @settings(max_examples=25, deadline=None)
@@ -75,55 +75,63 @@ def test_mirror_images_measure_the_same(amplitude, wavelength, phase):
     bent = Profile(profile.y, profile.z * (1.2 + np.cos(3.0 * profile.y + 0.4)))
     reference = measure(bent)
     for other in (Profile(bent.y, -bent.z), Profile(-bent.y[::-1], bent.z[::-1])):
-        found = measure(other)
-        assert found.amplitude == pytest.approx(reference.amplitude, rel=1e-9)
-        assert found.phi_squared == pytest.approx(reference.phi_squared, rel=1e-9)
-        assert found.wavelength == pytest.approx(reference.wavelength, rel=1e-7)
+        measures = measure(other)
+        assert measures.amplitude == pytest.approx(reference.amplitude, rel=1e-9)
+        assert measures.phi_squared == pytest.approx(reference.phi_squared, rel=1e-9)
+        assert measures.wavelength == pytest.approx(reference.wavelength, rel=1e-7)
 
 
 def test_neither_sampling_nor_position_nor_unit_matter():
     reference = measure(wave_packet())
     other = wave_packet(points=2417)
     shifted = Profile(1e3 * (other.y + 0.7), 1e3 * other.z)
-    found = measure(shifted)
-    assert found.amplitude == pytest.approx(1e3 * reference.amplitude, rel=1e-7)
-    assert found.wavelength == pytest.approx(1e3 * reference.wavelength, rel=1e-7)
-    assert found.phi_squared == pytest.approx(reference.phi_squared, rel=1e-6)
-    assert found.phi_squared_central == pytest.approx(reference.phi_squared_central, rel=1e-6)
+    measures = measure(shifted)
+    assert measures.amplitude == pytest.approx(1e3 * reference.amplitude, rel=1e-7)
+    assert measures.wavelength == pytest.approx(1e3 * reference.wavelength, rel=1e-7)
+    assert measures.phi_squared == pytest.approx(reference.phi_squared, rel=1e-6)
+    assert measures.phi_squared_central == pytest.approx(reference.phi_squared_central, rel=1e-6)
 
 
 def test_the_wavelength_is_that_of_the_central_peaks():
     """A chirp: far from the centre the peaks are at other distances."""
     y = np.linspace(-0.5, 0.5, 4001)
-    found = measure(Profile(y, 1e-3 * np.sin(2.0 * np.pi * (y / 0.12 + 0.4 * y**3 / 0.12))))
-    k = int(np.searchsorted(found.extrema, 0.0))
-    assert found.wavelength == pytest.approx(found.extrema[k + 1] - found.extrema[k - 1], rel=1e-9)
-    assert found.wavelength > 1.2 * (found.extrema[2] - found.extrema[0])
+    measures = measure(Profile(y, 1e-3 * np.sin(2.0 * np.pi * (y / 0.12 + 0.4 * y**3 / 0.12))))
+    k = int(np.searchsorted(measures.extrema, 0.0))
+    assert measures.wavelength == pytest.approx(
+        measures.extrema[k + 1] - measures.extrema[k - 1], rel=1e-9
+    )
+    assert measures.wavelength > 1.2 * (measures.extrema[2] - measures.extrema[0])
 
 
 def test_a_flat_profile_has_no_wavelength():
     y = np.linspace(-0.4, 0.4, 50)
-    found = measure(Profile(y, np.full(50, 1e-12)))
-    assert (found.amplitude, found.phi_squared, found.phi_squared_central) == (0.0, 0.0, 0.0)
-    assert found.arc_width == found.projected_width == pytest.approx(0.8)
-    assert np.isnan([found.wavelength, found.wavelength_zero, found.shape_constant]).all()
+    measures = measure(Profile(y, np.full(50, 1e-12)))
+    assert (measures.amplitude, measures.phi_squared, measures.phi_squared_central) == (
+        0.0,
+        0.0,
+        0.0,
+    )
+    assert measures.arc_width == measures.projected_width == pytest.approx(0.8)
+    assert np.isnan([measures.wavelength, measures.wavelength_zero, measures.shape_constant]).all()
 
 
 def test_a_single_hump_has_an_amplitude_but_no_wavelength():
     y = np.linspace(-0.5, 0.5, 201)
-    found = measure(Profile(y, 2e-3 * np.exp(-((y / 0.1) ** 2))))
-    assert found.amplitude == pytest.approx(2e-3, rel=1e-6)
+    measures = measure(Profile(y, 2e-3 * np.exp(-((y / 0.1) ** 2))))
+    assert measures.amplitude == pytest.approx(2e-3, rel=1e-6)
     # the integral of z'^2 / 2 over a width of 1
-    assert found.phi_squared == pytest.approx(2e-3**2 * np.sqrt(np.pi / 2) / (2 * 0.1), rel=1e-3)
-    assert np.isnan([found.wavelength, found.shape_constant, found.phi_squared_central]).all()
+    assert measures.phi_squared == pytest.approx(2e-3**2 * np.sqrt(np.pi / 2) / (2 * 0.1), rel=1e-3)
+    assert np.isnan(
+        [measures.wavelength, measures.shape_constant, measures.phi_squared_central]
+    ).all()
 
 
 def test_ripples_are_not_peaks():
     """Extrema of 2% of the amplitude between the wrinkle's own are ironed out."""
     smooth = wave_packet()
     ripple = 6e-5 * np.sin(2.0 * np.pi * smooth.y / 0.011)
-    found = measure(Profile(smooth.y, smooth.z + ripple))
-    assert found.wavelength == pytest.approx(measure(smooth).wavelength, rel=0.05)
+    measures = measure(Profile(smooth.y, smooth.z + ripple))
+    assert measures.wavelength == pytest.approx(measure(smooth).wavelength, rel=0.05)
 
 
 @given(st.lists(st.floats(-1.0, 1.0), min_size=2, max_size=40), st.floats(0.01, 1.0))

@@ -1,5 +1,7 @@
 """The paper's latex sheet on the default mesh: refinement, independent data, birth and decay."""
 
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -83,3 +85,24 @@ def test_amplitude_grows_again_from_zero_like_a_square_root(sheet, stability):
     squares = [sheet.solve(decay - d).measures.amplitude ** 2 for d in (0.002, 0.004)]
     assert squares[1] / squares[0] == pytest.approx(2.0, rel=0.05)
     assert np.sqrt(squares[0]) < 0.5e-3
+
+
+_SEVERAL = """
+import gc
+from pathlib import Path
+from wrinklestudy import MeshSettings, Sheet, mooney_rivlin
+
+gc.disable()
+for _ in range(6):
+    Sheet(2.0, 1e-3, mooney_rivlin(6.21e4, 1.58e5)).solve(0.12)
+    print(Path("/proc/self/statm").read_text().split()[1])
+"""
+
+
+@pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="memory is read from /proc")
+def test_the_memory_of_a_sheet_is_free_when_nothing_refers_to_it():
+    """Without help of the garbage collector, which does not see the factorisations of MKL."""
+    command = [sys.executable, "-c", _SEVERAL]
+    printed = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    pages = [int(line) for line in printed.split()]
+    assert pages[-1] < 1.3 * pages[0]

@@ -126,8 +126,8 @@ class Ogden(IncompressibleLaw):
         total = np.zeros_like(det)
         for modulus, exponent in self.terms:
             s = 0.5 * exponent
-            powers = _power_sum(s, eigenvalues)
-            total = total + modulus / exponent * (powers + det**-s - 3.0)
+            raised = _raised_sum(s, eigenvalues) + np.expm1(-s * np.log(det))
+            total = total + modulus / exponent * raised
         return total
 
     def slopes(self, trace: Array, det: Array) -> Slopes:
@@ -170,10 +170,18 @@ def _eigenvalues(trace: Array, det: Array) -> _Eigenvalues:
     return _Eigenvalues(mean, ratio, near, large, det / large, np.where(near, 1.0, 2.0 * half))
 
 
-def _power_sum(s: float, at: _Eigenvalues) -> Array:
-    """Return S = a^s + b^s."""
-    series = 2.0 * at.mean**s * _polynomial(_binomials(s, 0), at.ratio)
-    return np.where(at.near, series, at.large**s + at.less**s)
+def _raised_sum(s: float, at: _Eigenvalues) -> Array:
+    """Return S - 2 = a^s + b^s - 2.
+
+    The powers less one are taken at once: mu_p/alpha_p may be many times the shear modulus, and
+    with it the rounding of powers near 1 would hide the energy of a small strain.
+    """
+    binomials = _binomials(s, 0).copy()
+    binomials[0] = 0.0
+    raised = np.expm1(s * np.log(at.mean))
+    series = 2.0 * (raised + (1.0 + raised) * _polynomial(binomials, at.ratio))
+    far = np.expm1(s * np.log(at.large)) + np.expm1(s * np.log(at.less))
+    return np.where(at.near, series, far)
 
 
 def _power_sum_slopes(s: float, at: _Eigenvalues) -> tuple[Array, Array, Array, Array, Array]:

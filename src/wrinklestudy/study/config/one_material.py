@@ -1,23 +1,32 @@
-"""A single material of a config, whatever else the file may lack."""
+"""A single material of a config, or a variant of one, whatever else the file may lack."""
 
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import yaml
 from pydantic import ValidationError
 
-from wrinklestudy.study.config.blocks import MaterialBlock
+from wrinklestudy.study.config.blocks import Block, MaterialBlock, VariantBlock
 from wrinklestudy.study.config.checks import ConfigError
 from wrinklestudy.study.config.spelling import misleading
 from wrinklestudy.study.config.wording import closest, lines
 from wrinklestudy.typing import AnyPath
 
+_Kind = TypeVar("_Kind", bound=Block)
 
-def read_material(path: AnyPath, name: str) -> MaterialBlock:
-    """Return the block of one material of a config file.
 
-    Only this block is looked at, so that a file may hold no more than what differs from the
+def read_model(path: AnyPath, name: str) -> tuple[MaterialBlock, VariantBlock]:
+    """Return the block of one material of a config file, and that of its variant.
+
+    Only these blocks are looked at, so that a file may hold no more than what differs from the
     config of a study.
+
+    Parameters
+    ----------
+    path : path-like
+        The config file.
+    name : str
+        A material, whose variant is one that changes nothing, or a variant.
 
     Raises
     ------
@@ -25,19 +34,28 @@ def read_material(path: AnyPath, name: str) -> MaterialBlock:
         If the file cannot be read, has no such material or its block is wrong; a line per problem
         that names the file and, where there is one, the key.
     """
-    materials = _read(path)
-    if name not in materials:
-        raise ConfigError(f"{path}: materials has no {name!r}{closest(name, map(str, materials))}")
+    materials, variants = _read(path)
+    variant = VariantBlock(material=name)
+    if name in variants and name not in materials:
+        variant = _validated(VariantBlock, path, f"variants.{name}", variants[name])
+    base = variant.material
+    if base not in materials:
+        known = [*map(str, materials), *map(str, variants)]
+        raise ConfigError(f"{path}: materials has no {base!r}{closest(base, known)}")
+    return _validated(MaterialBlock, path, f"materials.{base}", materials[base]), variant
+
+
+def _validated(kind: type[_Kind], path: AnyPath, key: str, content: Any) -> _Kind:
     try:
-        return MaterialBlock.model_validate(materials[name])
+        return kind.model_validate(content)
     except ValidationError as error:
-        problems = lines(MaterialBlock, error.errors(include_url=False))
-        text = "\n".join(f"{path}: materials.{name}.{problem}" for problem in problems)
+        problems = lines(kind, error.errors(include_url=False))
+        text = "\n".join(f"{path}: {key}.{problem}" for problem in problems)
         raise ConfigError(text) from None
 
 
-def _read(path: AnyPath) -> dict[Any, Any]:
-    """Return the block of materials of a file."""
+def _read(path: AnyPath) -> tuple[dict[Any, Any], dict[Any, Any]]:
+    """Return the blocks of materials and of variants of a file."""
     try:
         problems = misleading(str(path))
         content = yaml.safe_load(Path(path).read_text(encoding="utf-8"))
@@ -54,4 +72,5 @@ def _read(path: AnyPath) -> dict[Any, Any]:
     materials = content.get("materials") if isinstance(content, dict) else None
     if not isinstance(materials, dict) or not materials:
         raise ConfigError(f"{path}: materials: must be a block with at least one material")
-    return materials
+    variants = content.get("variants")
+    return materials, variants if isinstance(variants, dict) else {}
