@@ -1,8 +1,8 @@
 """What is measured on a tension field: where it is wrinkled, and how much width the wrinkles hide.
 
 In the limit of no thickness wrinkles have no amplitude, but the width that they take up has a
-limit: at a point the natural width n under uniaxial tension exceeds the width sqrt(b) that the sheet
-has there.
+limit: at a point the natural width n under uniaxial tension exceeds the width sqrt(b) that the
+sheet has there.
 """
 
 from dataclasses import dataclass
@@ -127,7 +127,9 @@ def confined_widths(field: TensionField, x: Array) -> tuple[Array, Array]:
     lines = field.space.grid.y
     points = sample(field, x, _midpoints(lines))
     weights = _weights(lines)
-    hidden = np.where(points.wrinkled, points.natural_width * (1.0 - 1.0 / (1.0 + points.excess)), 0.0)
+    hidden = np.where(
+        points.wrinkled, points.natural_width * (1.0 - 1.0 / (1.0 + points.excess)), 0.0
+    )
     projected = 2.0 * points.width_stretch @ weights
     return projected + 2.0 * hidden @ weights, projected
 
