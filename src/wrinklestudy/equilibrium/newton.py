@@ -56,6 +56,9 @@ class NewtonOptions:
     noise : float
         Rounding error of the energy. Steps of a smaller decrement are those of plain Newton, and
         where such a decrement falls no further the minimum is as near as rounding allows.
+    smooth : bool
+        Whether the energy has a continuous second derivative; otherwise no step is taken with an
+        old tangent, which tells nothing of the other side of a jump.
     observe : callable, optional
         Is told of each iteration with a new tangent.
     """
@@ -66,6 +69,7 @@ class NewtonOptions:
     rise: float = 0.0
     ceiling: float = np.inf
     noise: float = 0.0
+    smooth: bool = True
     observe: Callable[[Iteration], None] | None = None
 
     def __post_init__(self) -> None:
@@ -163,7 +167,7 @@ def minimise(problem: Problem, start: Array, solver: Solver, options: NewtonOpti
             break
         unknowns = unknowns + step.length * step.direction
         energy += step.gain
-        if step.is_plain and step.decrement <= _QUASI_DECREMENT * abs(energy):
+        if options.smooth and step.is_plain and step.decrement <= _QUASI_DECREMENT * abs(energy):
             finish = _finish(
                 problem, unknowns, here.residual, step.direction, solver, options, history
             )

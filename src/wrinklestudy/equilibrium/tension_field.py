@@ -6,6 +6,7 @@ remainder delta of `(1 - delta) W_relaxed + delta W` is lowered to zero on a coa
 solution is where that of the mesh itself starts from; the two together give the error of the mesh.
 """
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -14,7 +15,7 @@ from scipy import sparse
 
 from wrinklestudy.equilibrium import flat, newton
 from wrinklestudy.fem.boundary import QUARTER, Symmetry
-from wrinklestudy.fem.grid import Grid
+from wrinklestudy.fem.grid import Grid, MeshSettings, make_grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.fem.transfer import coarsened, transferred
 from wrinklestudy.mechanics.laws import Law
@@ -26,6 +27,7 @@ _ORDER = 7
 _REMAINDERS = (0.1, 0.01, 0.0)
 _ON_THE_WAY = (0.1, 0.01, 1e-3, 1e-4, 0.0)  # where the shorter way failed
 _LEAST_CELLS = 4
+_ACROSS = 2.0 / 3.0  # of the cells across that wrinkles need
 _OPTIONS = newton.NewtonOptions(
     tolerance=1e-18,
     max_iterations=100,
@@ -34,6 +36,7 @@ _OPTIONS = newton.NewtonOptions(
     first_shift=1e-5,
     rise=1.0,
     noise=flat.ROUNDING,
+    smooth=False,
 )
 
 
@@ -120,6 +123,16 @@ class RelaxedProblem(flat.MembraneProblem):
         if self._shift is None:
             self._shift = self._taut.derivatives(self._taut.prescribed[self.assembler.free]).tangent
         return self._shift
+
+
+def tension_grid(aspect: float, settings: MeshSettings) -> Grid:
+    """Return the grid for the tension field of a sheet of the given L/W.
+
+    It has two thirds of the cells across that wrinkles need: Phi^2 is then good to some parts in
+    ten thousand.
+    """
+    across = max(2 * _LEAST_CELLS, math.ceil(_ACROSS * settings.cells_across - 1e-9))
+    return make_grid(aspect, settings=replace(settings, cells_across=across))
 
 
 def solve(
