@@ -132,8 +132,11 @@ def tables_of_analyses(_wildcards):
     return files_of_analyses([stage for stage in STAGES if STAGES[stage].analysis], ["table"])
 
 
-def strains_of_map(wildcards):
-    return STUDY.maps[wildcards.material, parse_value(wildcards.aspect)]
+def strains_of(stage):
+    """All strains of a job of an analysis, as a function for params."""
+    return lambda wildcards: STUDY.analyses(stage)[
+        (wildcards.material, parse_value(wildcards.aspect))
+    ]
 
 
 def inputs_of_figure(wildcards):

@@ -14,7 +14,7 @@ rule map:
     params:
         name=wildcard("material"),
         aspect=value("aspect"),
-        strains=strains_of_map,
+        strains=strains_of("map"),
         mesh=STUDY.settings("mesh"),
         settings=settings("map"),
         code=code("map"),

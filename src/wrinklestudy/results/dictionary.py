@@ -8,7 +8,13 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from wrinklestudy.files.storage import atomic_path
 from wrinklestudy.results.rows import Column
-from wrinklestudy.results.tables import MAP_COLUMNS, PEAK_COLUMNS, STABILITY_COLUMNS, STATE_COLUMNS
+from wrinklestudy.results.tables import (
+    MAP_COLUMNS,
+    PEAK_COLUMNS,
+    STABILITY_COLUMNS,
+    STATE_COLUMNS,
+    TENSION_COLUMNS,
+)
 
 _KINDS = {str: "text", int: "whole number", float: "number"}
 
@@ -58,6 +64,13 @@ critical thickness is tau_1/W divided by L/W. Columns marked *json* are what
 `wrinklestudy map --json` gives.
 """
 
+_TENSION = """
+## Tension
+
+`results/tension/{material}/aspect{aspect}.csv`, one row per strain. Columns marked *json* are what
+`wrinklestudy tension-field --json` gives.
+"""
+
 
 def page() -> str:
     """Return the data dictionary as Markdown."""
@@ -72,6 +85,8 @@ def page() -> str:
         *_table(PEAK_COLUMNS),
         _MAP,
         *_table(MAP_COLUMNS),
+        _TENSION,
+        *_table(TENSION_COLUMNS),
     ]
     return "".join(blocks)
 

@@ -39,6 +39,10 @@ STAGES: Mapping[str, Stage] = {
     "planar": Stage({"state": f"{_FLAT}/strain{{strain}}.h5"}),
     "stability": Stage({"limits": f"{_SHEET}.json"}),
     "map": Stage({"table": "{material}/aspect{aspect}.csv"}, analysis=True),
+    "tension": Stage(
+        {"table": "{material}/aspect{aspect}.csv", "fields": "{material}/aspect{aspect}.h5"},
+        analysis=True,
+    ),
     "wrinkle": Stage({"state": f"{_SHEET}/strain{{strain}}.h5"}),
     "metrics": Stage({"table": f"{_SHEET}.csv"}),
     "summary": Stage(

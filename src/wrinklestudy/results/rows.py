@@ -59,7 +59,7 @@ class Column:
     allowed: tuple[str, ...] = ()
 
 
-def _column(description: str, unit: str = "", **flags: bool | tuple[str, ...]) -> Any:
+def described(description: str, unit: str = "", **flags: bool | tuple[str, ...]) -> Any:
     """Return a dataclass field with what `Column` says about it besides name and kind."""
     return field(metadata={"description": description, "unit": unit, **flags})
 
@@ -68,15 +68,15 @@ def _column(description: str, unit: str = "", **flags: bool | tuple[str, ...]) -
 class SheetIdentity:
     """What tells a sheet of a study from the others."""
 
-    material: str = _column("name of the material, or of a variant of one", identifies=True)
-    law: str = _column("law of the strain energy", identifies=True)
-    bending: str = _column("bending law", identifies=True)
-    parity: str = _column(
+    material: str = described("name of the material, or of a variant of one", identifies=True)
+    law: str = described("law of the strain energy", identifies=True)
+    bending: str = described("bending law", identifies=True)
+    parity: str = described(
         "of z across the width: antisymmetric or symmetric",
         identifies=True,
     )
-    aspect: float = _column("L/W", identifies=True)
-    thickness: float = _column("t/W", identifies=True)
+    aspect: float = described("L/W", identifies=True)
+    thickness: float = described("t/W", identifies=True)
 
     @property
     def sheet_key(self) -> tuple[Any, ...]:
@@ -94,116 +94,120 @@ class SheetIdentity:
 class StateRow(SheetIdentity):
     """A state: one sheet at one strain."""
 
-    strain: float = _column("eps = (L' - L)/L of the clamps", identifies=True, shown=True)
-    status: Status = _column(  # noqa: RUF009 (a field with metadata, like all the others)
+    strain: float = described("eps = (L' - L)/L of the clamps", identifies=True, shown=True)
+    status: Status = described(  # noqa: RUF009 (a field with metadata, like all the others)
         "wrinkled, flat or not-converged", allowed=STATUSES, shown=True
     )
-    amplitude_over_thickness: float | None = _column(
+    amplitude_over_thickness: float | None = described(
         "A/t, largest |z| on x = 0; 0 if flat", measured=True, shown=True
     )
-    wavelength_over_width: float | None = _column(
+    wavelength_over_width: float | None = described(
         "lambda/W, distance of the two central peaks of the same sign",
         measured=True,
         shown=True,
     )
-    wavelength_zero_over_width: float | None = _column(
+    wavelength_zero_over_width: float | None = described(
         "lambda/W from the central zero crossings", measured=True
     )
-    arc_width_over_width: float | None = _column(
+    arc_width_over_width: float | None = described(
         "W_act/W, arc length of x = 0", measured=True, shown=True
     )
-    projected_width_over_width: float | None = _column(
+    projected_width_over_width: float | None = described(
         "W_proj/W, distance of the free edges on x = 0", measured=True, shown=True
     )
-    planar_width_over_width: float | None = _column(
+    planar_width_over_width: float | None = described(
         "width over W of the flat state of this strain on x = 0"
     )
-    phi_squared: float | None = _column(
+    phi_squared: float | None = described(
         "Phi^2 = (W_act - W_proj)/W_proj over the full width", measured=True, shown=True
     )
-    phi_squared_central: float | None = _column(
+    phi_squared_central: float | None = described(
         "Phi^2 over one wavelength around the centre", measured=True, shown=True
     )
-    shape_constant: float | None = _column(
+    shape_constant: float | None = described(
         "C = A/(lambda Phi), Phi over the full width", measured=True, shown=True
     )
-    shape_constant_central: float | None = _column(
+    shape_constant_central: float | None = described(
         "C = A/(lambda Phi), Phi over one wavelength", measured=True, shown=True
     )
-    nominal_stress_pa: float | None = _column(
+    nominal_stress_pa: float | None = described(
         "clamp force over undeformed cross-section", "Pa", of_equilibrium=True, shown=True
     )
-    young_modulus_pa: float = _column("initial Young's modulus of the material", "Pa")
-    energy: float | None = _column("energy of the quarter sheet", "mu W^3", of_equilibrium=True)
-    flat_energy: float | None = _column("energy of the flat quarter sheet at this strain", "mu W^3")
-    critical_thickness: float | None = _column("tau_1/W: the flat sheet is unstable if t is less")
-    sheet_amplitude_over_thickness: float | None = _column(
+    young_modulus_pa: float = described("initial Young's modulus of the material", "Pa")
+    energy: float | None = described("energy of the quarter sheet", "mu W^3", of_equilibrium=True)
+    flat_energy: float | None = described(
+        "energy of the flat quarter sheet at this strain", "mu W^3"
+    )
+    critical_thickness: float | None = described("tau_1/W: the flat sheet is unstable if t is less")
+    sheet_amplitude_over_thickness: float | None = described(
         "largest |z|/t over the whole sheet", measured=True
     )
-    sheet_amplitude_x_over_length: float | None = _column(
+    sheet_amplitude_x_over_length: float | None = described(
         "X/L of the point of the largest |z|, 0 at the centre, 1/2 at the clamp", measured=True
     )
-    sheet_amplitude_y_over_width: float | None = _column(
+    sheet_amplitude_y_over_width: float | None = described(
         "Y/W of that point, 0 on the mid-line, 1/2 at the free edge", measured=True
     )
-    envelope_length_over_width: float | None = _column(
+    envelope_length_over_width: float | None = described(
         "l/W, length along X over which the largest |z| across the sheet is above half of its "
         "maximum",
         measured=True,
     )
-    deformed_envelope_length_over_width: float | None = _column(
+    deformed_envelope_length_over_width: float | None = described(
         "the same length on the deformed mid-line, over W", measured=True
     )
-    unstable_directions: int | None = _column(
+    unstable_directions: int | None = described(
         "negative eigenvalues of the tangent of the quarter", of_equilibrium=True, shown=True
     )
-    newton_iterations: int = _column("Newton iterations of the solve", shown=True)
-    residual: float | None = _column(
+    newton_iterations: int = described("Newton iterations of the solve", shown=True)
+    residual: float | None = described(
         "last Newton decrement of the solve, as a fraction of the energy", shown=True
     )
-    cells_along: int = _column("cells of the quarter along the pull")
-    cells_across: int = _column("cells of the quarter across")
-    reason: str = _column("why it did not converge; empty if it did", shown=True)
+    cells_along: int = described("cells of the quarter along the pull")
+    cells_across: int = described("cells of the quarter across")
+    reason: str = described("why it did not converge; empty if it did", shown=True)
 
 
 @dataclass(frozen=True)
 class StabilityRow(SheetIdentity):
     """Where the flat sheet is unstable: what is known of a sheet without its states."""
 
-    birth_strain: float | None = _column(
+    birth_strain: float | None = described(
         "strain at which the flat sheet becomes unstable; empty if it never does"
     )
-    decay_strain: float | None = _column(
+    decay_strain: float | None = described(
         "strain at which it becomes stable again; empty if beyond the range"
     )
-    max_critical_thickness: float | None = _column("largest tau_1/W over strain")
-    strain_at_max: float | None = _column("strain of the largest tau_1")
+    max_critical_thickness: float | None = described("largest tau_1/W over strain")
+    strain_at_max: float | None = described("strain of the largest tau_1")
 
 
 @dataclass(frozen=True)
 class SheetRow(StabilityRow):
     """A sheet: where it is unstable and what its states reach over strain."""
 
-    max_amplitude_over_thickness: float | None = _column(
+    max_amplitude_over_thickness: float | None = described(
         "largest A/t over strain; 0 if the sheet never wrinkles, empty if unknown"
     )
-    strain_at_max_amplitude: float | None = _column(
+    strain_at_max_amplitude: float | None = described(
         "strain of the largest A/t; empty if there is none or it is unknown"
     )
-    max_phi_squared: float | None = _column(
+    max_phi_squared: float | None = described(
         "largest Phi^2 (full width) over strain; 0 if the sheet never wrinkles, empty if unknown"
     )
-    strain_at_max_phi_squared: float | None = _column(
+    strain_at_max_phi_squared: float | None = described(
         "strain of the largest Phi^2; empty if there is none or it is unknown"
     )
-    wavelength_over_width_at_max_amplitude: float | None = _column("lambda/W where A/t is largest")
-    min_wavelength_over_width: float | None = _column("smallest lambda/W of the wrinkled states")
-    max_wavelength_over_width: float | None = _column("largest lambda/W of the wrinkled states")
-    wrinkled: int = _column("number of wrinkled states")
-    flat: int = _column("number of flat states")
-    not_converged: int = _column("number of states that did not converge")
-    cells_along: int = _column("cells of the quarter along the pull")
-    cells_across: int = _column("cells of the quarter across")
+    wavelength_over_width_at_max_amplitude: float | None = described(
+        "lambda/W where A/t is largest"
+    )
+    min_wavelength_over_width: float | None = described("smallest lambda/W of the wrinkled states")
+    max_wavelength_over_width: float | None = described("largest lambda/W of the wrinkled states")
+    wrinkled: int = described("number of wrinkled states")
+    flat: int = described("number of flat states")
+    not_converged: int = described("number of states that did not converge")
+    cells_along: int = described("cells of the quarter along the pull")
+    cells_across: int = described("cells of the quarter across")
 
 
 RowType = TypeVar("RowType", bound=SheetIdentity)

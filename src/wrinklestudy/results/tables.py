@@ -23,6 +23,7 @@ from wrinklestudy.results.rows import (
     columns,
     key_text,
 )
+from wrinklestudy.results.tension import TensionRow
 from wrinklestudy.typing import AnyPath, Cell
 
 if TYPE_CHECKING:
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
 STATE_COLUMNS = columns(StateRow)
 STABILITY_COLUMNS = columns(StabilityRow)
 MAP_COLUMNS = columns(MapRow)
+TENSION_COLUMNS = columns(TensionRow)
 PEAK_COLUMNS: Mapping[str, Column] = {
     name: column
     for name, column in columns(SheetRow).items()
@@ -54,6 +56,11 @@ def write_stability(rows: Sequence[StabilityRow], output: AnyPath) -> None:
 def write_peaks(rows: Sequence[SheetRow], output: AnyPath) -> None:
     """Write what sheets reach over strain as a table, sorted by sheet."""
     _write(rows, PEAK_COLUMNS, output)
+
+
+def write_tension_rows(rows: Sequence[TensionRow], output: AnyPath) -> None:
+    """Write tension fields as a table, sorted by material, L/W and strain."""
+    _write(rows, TENSION_COLUMNS, output)
 
 
 def write_map(rows: Sequence[MapRow], output: AnyPath) -> None:
@@ -106,7 +113,7 @@ def read_sheets(stability: AnyPath, peaks: AnyPath) -> list[SheetRow]:
 
 
 def _write(
-    rows: Sequence[SheetIdentity] | Sequence[MapRow],
+    rows: Sequence[SheetIdentity] | Sequence[MapRow] | Sequence[TensionRow],
     wanted: Mapping[str, Column],
     output: AnyPath,
 ) -> None:
