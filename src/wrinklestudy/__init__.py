@@ -17,12 +17,13 @@ if TYPE_CHECKING:
         saint_venant_kirchhoff,
         yeoh,
     )
-    from wrinklestudy.sheet import Sheet, State
+    from wrinklestudy.sheet import Sheet, State, TensionState
 
 _HOMES = {
     "MeshSettings": "wrinklestudy.fem.grid",
     "Sheet": "wrinklestudy.sheet",
     "State": "wrinklestudy.sheet",
+    "TensionState": "wrinklestudy.sheet",
     "fit": "wrinklestudy.material.fit",
     "mooney_rivlin": "wrinklestudy.mechanics.laws",
     "neo_hookean": "wrinklestudy.mechanics.laws",
@@ -35,6 +36,7 @@ __all__ = [
     "MeshSettings",
     "Sheet",
     "State",
+    "TensionState",
     "fit",
     "mooney_rivlin",
     "neo_hookean",

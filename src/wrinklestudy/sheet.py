@@ -6,21 +6,23 @@ from functools import cached_property
 from time import perf_counter
 from typing import Any
 
-from wrinklestudy.equilibrium import planar, stability, wrinkled
+from wrinklestudy.equilibrium import planar, stability, tension_field, wrinkled
 from wrinklestudy.equilibrium.newton import Observer
 from wrinklestudy.equilibrium.ranges import Stability
 from wrinklestudy.fem.grid import MeshSettings, make_grid
-from wrinklestudy.fem.size import ProblemSize, available_memory, gigabytes
+from wrinklestudy.fem.size import ProblemSize
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics.bending import bending_law_of
-from wrinklestudy.mechanics.laws import Material
+from wrinklestudy.mechanics.laws import Material, describe
+from wrinklestudy.metrics.confinement import Confinement, confinement
 from wrinklestudy.metrics.interpolant import DeformedSheet
 from wrinklestudy.metrics.measure import Measures, measure_sheet
 from wrinklestudy.results.cases import resolved_thickness
 from wrinklestudy.results.fields import state_row
 from wrinklestudy.results.rows import StateRow, columns
 from wrinklestudy.results.states import unmeasured, with_measures
-from wrinklestudy.vocabulary import ASPECT, PARITIES, STRAIN, THICKNESS, Parity
+from wrinklestudy.results.tension import TensionRow, shown_tension, tension_row
+from wrinklestudy.vocabulary import ASPECT, PARITIES, STRAIN, THICKNESS, Parity, Status
 
 
 @dataclass(frozen=True)
@@ -78,6 +80,53 @@ class State:
         row = self.row()
         shown = [column.name for column in columns(StateRow).values() if column.shown]
         return {name: getattr(row, name) for name in shown} | {"seconds": self.seconds}
+
+
+@dataclass(frozen=True)
+class TensionState:
+    """What `Sheet.tension_field` found at one strain.
+
+    Parameters
+    ----------
+    strain : float
+    field : tension_field.TensionField
+        Position, energy, force and history, with the field on a coarser mesh.
+    row : TensionRow
+        The state as a row of the tables.
+    confinement : Confinement or None
+        What is measured on the field, in units of W; None where it did not converge.
+    seconds : float
+        Wall time.
+    """
+
+    strain: float
+    field: tension_field.TensionField
+    row: TensionRow
+    confinement: Confinement | None
+    seconds: float
+
+    @property
+    def status(self) -> Status:
+        """'wrinkled', 'flat' (taut on both mid-lines) or 'not-converged'."""
+        return self.row.status
+
+    @property
+    def reason(self) -> str:
+        """Why it did not converge; empty if it did."""
+        return self.row.reason
+
+    @property
+    def phi_squared_error(self) -> float | None:
+        """Difference of Phi^2 from a mesh with half the cells in each direction, if known."""
+        return self.row.phi_squared_error
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the numbers of the state as plain values, None where there is none.
+
+        The keys are the columns of `results.tension.TensionRow` that ``tension-field --json``
+        shows, then ``seconds``.
+        """
+        return shown_tension(self.row) | {"seconds": self.seconds}
 
 
 @dataclass(frozen=True)
@@ -143,13 +192,8 @@ class Sheet:
         jobs : int
             How many are solved at the same time.
         """
-        available = available_memory()
-        if jobs * self.size.memory(wrinkled) > available:
-            times = f"{jobs} jobs, each with " if jobs > 1 else ""
-            raise MemoryError(
-                f"L/W = {self.aspect:g}, t/W = {self.thickness:g} needs "
-                f"{times}{self.size.text(wrinkled)}; {gigabytes(available)} are available"
-            )
+        sheet = f"L/W = {self.aspect:g}, t/W = {self.thickness:g}"
+        self.size.check_memory(sheet, wrinkled, jobs)
 
     @cached_property
     def space(self) -> Space:
@@ -196,6 +240,37 @@ class Sheet:
             nodes = self.space.nodes_from_field(found.position)
             measures = measure_sheet(DeformedSheet(self.space.grid, nodes, self.settings.symmetry))
         return State(strain, found, measures, seconds)
+
+    def tension_field(self, strain: float, observer: Observer | None = None) -> TensionState:
+        """Return the limit of no thickness at a strain: the sheet by tension field theory.
+
+        Thickness, bending law and parity of this sheet play no role, and the mesh is one of its
+        own (`equilibrium.tension_field.tension_grid`).
+
+        Parameters
+        ----------
+        strain : float
+            eps = (L' - L)/L of the clamps, within `vocabulary.STRAIN`.
+        observer : Observer, optional
+            Is told of each iteration.
+
+        Raises
+        ------
+        ValueError
+            If the strain is not allowed.
+        MemoryError
+            If the memory would not hold the problem; one line with its size.
+        """
+        if strain not in STRAIN:
+            raise ValueError(f"strain = {strain:g}: must be {STRAIN}")
+        grid = tension_field.tension_grid(self.aspect, self.mesh)
+        ProblemSize(*grid.cells).check_memory(f"L/W = {self.aspect:g}", wrinkled=False)
+        start = perf_counter()
+        field = tension_field.solve(grid, self.material.law, strain, observer=observer)
+        seconds = perf_counter() - start
+        row = tension_row(field, self.material, str(describe(self.material)["law"]))
+        measured = confinement(field) if field.converged else None
+        return TensionState(strain, field, row, measured, seconds)
 
     def stability(self, report: Callable[[float, float], None] | None = None) -> Stability:
         """Return birth and decay strain, the largest critical thickness and those between.

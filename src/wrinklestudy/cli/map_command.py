@@ -83,15 +83,10 @@ def run(arguments: argparse.Namespace) -> Answer:
 
 def _check_memory(aspect: float, mesh: "MeshSettings", jobs: int) -> None:
     from wrinklestudy.equilibrium.critical_map import map_grid
-    from wrinklestudy.fem.size import ProblemSize, available_memory, gigabytes
+    from wrinklestudy.fem.size import ProblemSize
 
-    size, available = ProblemSize(*map_grid(aspect, mesh).cells), available_memory()
-    if jobs * size.memory(wrinkled=False) > available:
-        times = f"{jobs} jobs, each with " if jobs > 1 else ""
-        raise MemoryError(
-            f"L/W = {aspect:g} needs {times}{size.text(wrinkled=False)}; "
-            f"{gigabytes(available)} are available"
-        )
+    size = ProblemSize(*map_grid(aspect, mesh).cells)
+    size.check_memory(f"L/W = {aspect:g}", wrinkled=False, jobs=jobs)
 
 
 def _computed(tasks: Sequence[MapTask], jobs: int) -> Iterator[list[dict[str, Any]]]:

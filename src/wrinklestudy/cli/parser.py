@@ -4,7 +4,7 @@ import argparse
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple, NoReturn
 
-from wrinklestudy.cli import fit, map_command, measure, solve, stability
+from wrinklestudy.cli import fit, map_command, measure, solve, stability, tension_command
 from wrinklestudy.cli.numbers import is_negative
 
 
@@ -23,6 +23,11 @@ COMMANDS = {
     ),
     "map": Command(
         "critical thickness over strain and L/W", map_command.add_options, map_command.run
+    ),
+    "tension-field": Command(
+        "state of a sheet in the limit of no thickness",
+        tension_command.add_options,
+        tension_command.run,
     ),
     "fit": Command("constants of a law from measured stress and strain", fit.add_options, fit.run),
     "measure": Command(

@@ -20,7 +20,7 @@ def states_text(states: Sequence[_State], size: GivenSize) -> str:
         highest = max(wrinkled, key=lambda state: state["amplitude_over_thickness"])
         sentences += [
             f"The sheet is wrinkled at {len(wrinkled)} of {len(states)} strains"
-            f"{_between(wrinkled)}.",
+            f"{between(wrinkled)}.",
             f"The wrinkles are highest at {_strain(highest, size)}, where it "
             f"{_state(highest, size)}.",
         ]
@@ -63,7 +63,8 @@ def _state(state: _State, size: GivenSize) -> str:
     return f"{count}, the highest {height}, like ones {length} apart in the middle"
 
 
-def _between(wrinkled: Sequence[_State]) -> str:
+def between(wrinkled: Sequence[_State]) -> str:
+    """Return from which strain to which some states are, to follow a count of them."""
     strains = [state["strain"] for state in wrinkled]
     low, high = min(strains), max(strains)
     return f", {low:.6g}" if low == high else f", from {low:.6g} to {high:.6g}"

@@ -13,7 +13,7 @@ from wrinklestudy.cli.output import Answer
 from wrinklestudy.cli.outputs import add_overwrite, planned
 from wrinklestudy.cli.sentences import failures, states_text
 from wrinklestudy.cli.sheet_options import GivenSize, add_sheet, announce, given_size, sheet
-from wrinklestudy.cli.solving import Task, solve_all
+from wrinklestudy.cli.solving import Task, solve, solve_all
 from wrinklestudy.vocabulary import JOBS, STRAIN, Limits
 
 
@@ -51,7 +51,7 @@ def run(arguments: argparse.Namespace) -> Answer:
     tasks = [
         Task(chosen, size, *of_strain) for of_strain in zip(strains, vtu, pictures, strict=True)
     ]
-    states = solve_all(tasks, arguments.jobs)
+    states = solve_all(solve, tasks, arguments.jobs)
     return Answer(states, states_text(states, size), tuple(failures(states)))
 
 

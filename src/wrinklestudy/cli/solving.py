@@ -1,11 +1,11 @@
 """States of one sheet, solved by this process or by several, and the files of each."""
 
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from wrinklestudy.cli.outputs import write
 from wrinklestudy.cli.processes import in_processes
@@ -20,6 +20,21 @@ if TYPE_CHECKING:
 _VTU_SAMPLES = (190, 290)
 
 
+class StrainTask(Protocol):
+    """Something to compute of a sheet at a strain."""
+
+    @property
+    def sheet(self) -> "Sheet":
+        """The sheet."""
+
+    @property
+    def strain(self) -> float:
+        """Strain of the clamps."""
+
+
+AnyTask = TypeVar("AnyTask", bound=StrainTask)
+
+
 @dataclass(frozen=True)
 class Task:
     """A strain to solve, and the files to write of its state."""
@@ -31,8 +46,18 @@ class Task:
     picture: Path | None
 
 
-def solve_all(tasks: Sequence[Task], jobs: int) -> list[dict[str, Any]]:
+def solve_all(
+    work: Callable[..., dict[str, Any]], tasks: Sequence[AnyTask], jobs: int
+) -> list[dict[str, Any]]:
     """Return the values of all states, in the order of the tasks.
+
+    Parameters
+    ----------
+    work : callable
+        Returns the values of a state from its task and an observer, which may be left out.
+    tasks : sequence of StrainTask
+    jobs : int
+        How many are computed at the same time.
 
     Raises
     ------
@@ -40,13 +65,15 @@ def solve_all(tasks: Sequence[Task], jobs: int) -> list[dict[str, Any]]:
         If one of several processes was killed, which is what systems do where memory is short.
     """
     if jobs == 1 or len(tasks) == 1:
-        return [_shown(task, k, len(tasks)) for k, task in enumerate(tasks, 1)]
-    return list(_parallel(tasks, min(jobs, len(tasks))))
+        return [_shown(work, task, k, len(tasks)) for k, task in enumerate(tasks, 1)]
+    return list(_parallel(work, tasks, min(jobs, len(tasks))))
 
 
-def _parallel(tasks: Sequence[Task], jobs: int) -> Iterator[dict[str, Any]]:
+def _parallel(
+    work: Callable[..., dict[str, Any]], tasks: Sequence[AnyTask], jobs: int
+) -> Iterator[dict[str, Any]]:
     """Yield the values of the states that several processes solve."""
-    for k, values in enumerate(in_processes(solve, tasks, jobs), 1):
+    for k, values in enumerate(in_processes(work, tasks, jobs), 1):
         _announce(tasks[k - 1].strain, k, len(tasks))
         yield values
 
@@ -56,13 +83,15 @@ def _announce(strain: float, k: int, count: int) -> None:
         print(f"strain {strain:.12g} ({k} of {count})", file=sys.stderr)
 
 
-def _shown(task: Task, k: int, count: int) -> dict[str, Any]:
+def _shown(
+    work: Callable[..., dict[str, Any]], task: StrainTask, k: int, count: int
+) -> dict[str, Any]:
     """Solve in this process and show how it goes on."""
     _announce(task.strain, k, count)
     line = StatusLine()
     label = f"strain {task.strain:.12g}"
     try:
-        return solve(task, SolveProgress(label, task.sheet.size, task.sheet.thickness, line))
+        return work(task, SolveProgress(label, task.sheet.size, task.sheet.thickness, line))
     finally:
         line.clear()
 

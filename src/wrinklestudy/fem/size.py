@@ -52,6 +52,25 @@ class ProblemSize:
             f"about {gigabytes(self.memory(wrinkled))} of memory"
         )
 
+    def check_memory(self, sheet: str, wrinkled: bool = True, jobs: int = 1) -> None:
+        """Raise a MemoryError of one line if the memory would not hold the problem.
+
+        Parameters
+        ----------
+        sheet : str
+            What is solved, for the message.
+        wrinkled : bool
+            Whether wrinkled states are wanted, not flat ones alone.
+        jobs : int
+            How many are solved at the same time.
+        """
+        available = available_memory()
+        if jobs * self.memory(wrinkled) > available:
+            times = f"{jobs} jobs, each with " if jobs > 1 else ""
+            raise MemoryError(
+                f"{sheet} needs {times}{self.text(wrinkled)}; {gigabytes(available)} are available"
+            )
+
 
 def gigabytes(size: float) -> str:
     """Return a number of bytes in words."""

@@ -278,7 +278,7 @@ def test_sheets_too_thin_for_the_mesh_or_the_memory_are_refused_at_once(capsys, 
     line = refused(capsys, "solve", *size, "1e-9")
     assert "must be >= 1e-6" in line
     assert "10,800,300 unknowns" in line  # 3 x 4 x 25 x 36001
-    monkeypatch.setattr("wrinklestudy.sheet.available_memory", lambda: 1e9)
+    monkeypatch.setattr("wrinklestudy.fem.size.available_memory", lambda: 1e9)
     line = refused(capsys, "solve", *size, "1e-5", status=1)
     assert "t/W = 1e-05 needs 24 x 408 cells, 122,700 unknowns" in line
     assert "1 GB are available" in line
@@ -354,7 +354,7 @@ def test_an_interrupt_is_one_line_and_status_130(jobs):
 def test_the_commands_of_the_recipe_run(tmp_path, monkeypatch, capsys):
     text = (ROOT / "docs" / "recipes" / "own_sheet.md").read_text(encoding="utf-8")
     commands = re.findall(r"^ +wrinklestudy (.*)$", text, re.MULTILINE)
-    assert len(commands) == 5
+    assert len(commands) == 6
     monkeypatch.chdir(tmp_path)
     for name in ("data", "config.yaml"):
         (tmp_path / name).symlink_to(ROOT / name)
