@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, Protocol
 
 from wrinklestudy.cli.outputs import write
 from wrinklestudy.cli.processes import in_processes
@@ -32,9 +32,6 @@ class StrainTask(Protocol):
         """Strain of the clamps."""
 
 
-AnyTask = TypeVar("AnyTask", bound=StrainTask)
-
-
 @dataclass(frozen=True)
 class Task:
     """A strain to solve, and the files to write of its state."""
@@ -47,7 +44,7 @@ class Task:
 
 
 def solve_all(
-    work: Callable[..., dict[str, Any]], tasks: Sequence[AnyTask], jobs: int
+    work: Callable[..., dict[str, Any]], tasks: Sequence[StrainTask], jobs: int
 ) -> list[dict[str, Any]]:
     """Return the values of all states, in the order of the tasks.
 
@@ -70,7 +67,7 @@ def solve_all(
 
 
 def _parallel(
-    work: Callable[..., dict[str, Any]], tasks: Sequence[AnyTask], jobs: int
+    work: Callable[..., dict[str, Any]], tasks: Sequence[StrainTask], jobs: int
 ) -> Iterator[dict[str, Any]]:
     """Yield the values of the states that several processes solve."""
     for k, values in enumerate(in_processes(work, tasks, jobs), 1):
