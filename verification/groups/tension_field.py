@@ -31,7 +31,7 @@ KNOWN_ANGLE = 0.96505  # of the centre ray, from another evaluation of the quadr
 
 ANNULI = {
     "taut ring": Annulus(LAW, outer=2.0, hole=0.5, pull=1.0),
-    "narrow wrinkled ring": Annulus(LAW, outer=3.0, hole=0.7, pull=0.9),
+    "narrow wrinkled ring": Annulus(LAW, outer=2.0, hole=0.7, pull=0.9),
     "wrinkled to the edge": Annulus(LAW, outer=1.5, hole=0.5, pull=1.0),
 }
 RINGS = ((12, 12), (24, 24), (36, 36))
