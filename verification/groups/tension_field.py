@@ -221,9 +221,24 @@ def width_checks(row: Widths) -> list[Check]:
         )
     ]
     if len(row.library) > 1:
-        reason = "the next mesh changes it by less"
-        change = abs(row.library[-1] / middle - 1.0)
-        checks.append(Check(f"{case}: finer mesh", change, BOUND, kind="at most", reason=reason))
+        change = abs(row.library[-1] - middle)
+        covered = "the change from the coarser mesh, which the library solves first, bounds it"
+        checks += [
+            Check(
+                f"{case}: change to the finest mesh",
+                change / middle,
+                BOUND,
+                kind="at most",
+                reason="converged to the bound of this group",
+            ),
+            Check(
+                f"{case}: that change over the estimated error",
+                change / row.estimate,
+                1.0,
+                kind="at most",
+                reason=covered,
+            ),
+        ]
     return checks
 
 
