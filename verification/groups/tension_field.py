@@ -49,6 +49,7 @@ class StripErrors(NamedTuple):
     normal: float
     along: float
     angles: Array
+    taut: float  # part of the sheet
 
 
 def scaled(scale: float) -> MansfieldStrip:
@@ -69,7 +70,8 @@ def strip_errors(poisson: float, scales: tuple[float, ...] = SCALES) -> list[Str
         start = None if last is None else last.displacement * scale / errors[-1].scale
         last = strip_field.solve(space, strip, law, STATIONS, start)
         normal, along = last.normal / strip.forces[0], last.along / strip.forces[1]
-        errors.append(StripErrors(scale, normal - 1.0, along - 1.0, last.angles / exact - 1.0))
+        angles = last.angles / exact - 1.0
+        errors.append(StripErrors(scale, normal - 1.0, along - 1.0, angles, last.taut))
     return errors
 
 
@@ -121,10 +123,15 @@ def strip_checks(poisson: float, errors: list[StripErrors]) -> list[Check]:
 
 def _strip_table(poisson: float, errors: list[StripErrors]) -> Table:
     rows = [
-        [f"{row.scale:g}", *(f"{100.0 * e:.3f}" for e in (row.normal, row.along, *row.angles))]
+        [
+            f"{row.scale:g}",
+            *(f"{100.0 * error:z.3f}" for error in (row.normal, row.along, *row.angles)),
+            f"{100.0 * row.taut:.2f}",
+        ]
         for row in errors
     ]
-    columns = ("load", "force away", "force along", *(f"angle at {s:g} H" for s in STATIONS))
+    angles = (f"angle at {s:g} H" for s in STATIONS)
+    columns = ("load", "force away", "force along", *angles, "taut part of the sheet")
     title = f"Sheared strip, nu = {poisson:g}: deviation from Mansfield's rays in percent"
     return Table(title, columns, rows)
 
@@ -295,16 +302,24 @@ def quick() -> list[Check]:
 
 
 def taut_corner_text(plain: StripErrors, contracting: StripErrors) -> str:
-    """Say whether the force's error at the least load vanishes without lateral contraction."""
-    return conclusion(
-        abs(plain.normal) < 0.2 * abs(contracting.normal),
-        f"With nu = 0 the force away deviates by {abs(plain.normal):.0e} at the least load, with "
-        f"nu = {POISSON:g} by {abs(contracting.normal):.0e}, whatever the mesh: at a clamp the "
-        f"strain along it is zero, and rays steeper than cot^2 = nu leave the sheet taut there, "
-        f"which Mansfield's rays do not know.",
-        f"The force away deviates by {abs(plain.normal):.0e} at the least load with nu = 0, and by "
-        f"{abs(contracting.normal):.0e} with nu = {POISSON:g}.",
+    """Say what lateral contraction does to the force's error at the least load.
+
+    Parameters
+    ----------
+    plain, contracting : StripErrors
+        Without lateral contraction and with it.
+    """
+    numbers = (
+        f"At the least load the force away deviates by {abs(plain.normal):.0e} with nu = 0, where "
+        f"{plain.taut:.1%} of the sheet is taut, and by {abs(contracting.normal):.0e} with "
+        f"nu = {POISSON:g}, where {contracting.taut:.1%} is."
     )
+    corner = (
+        " At a clamp the strain along it is zero, so that rays with cot^2 < nu leave the sheet "
+        "taut there, which Mansfield's rays do not know."
+    )
+    explained = abs(plain.normal) < 0.2 * abs(contracting.normal) and plain.taut < contracting.taut
+    return numbers + conclusion(explained, corner, "")
 
 
 def _text(errors: dict[float, list[StripErrors]], rows: list[Widths]) -> str:

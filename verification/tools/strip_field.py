@@ -32,12 +32,15 @@ class StripField(NamedTuple):
         Between the rays and the clamps, along the mid-line.
     normal, along : float
         Forces on a clamp over Y t.
+    taut : float
+        Part of the sheet that is neither wrinkled nor slack.
     """
 
     displacement: Array
     angles: Array
     normal: float
     along: float
+    taut: float
 
 
 def space_of(strip: MansfieldStrip, cells: tuple[int, int]) -> Space:
@@ -102,7 +105,19 @@ def solve(
     young = 2.0 * (1.0 + law.poisson)
     normal, along = problem.reactions(unknowns)[:, end].sum(axis=1) / young
     angles = _angles(space, position, stations)
-    return StripField(position - undeformed, angles, float(normal), float(along))
+    taut_part = _taut_part(space, position, law)
+    return StripField(position - undeformed, angles, float(normal), float(along), taut_part)
+
+
+def _taut_part(space: Space, position: Array, law: SaintVenantKirchhoff) -> float:
+    """Return the part of the area that is neither wrinkled nor slack, by its Gauss points."""
+    stretches = principal_stretches(_metric(*space.derivatives(position, 2)))
+    wrinkled, slack = RelaxedLaw(law).regions(stretches)
+    return float(space.measure[~wrinkled & ~slack].sum() / space.measure.sum())
+
+
+def _metric(first: Array, second: Array) -> Array:
+    return np.stack([(first**2).sum(0), (second**2).sum(0), (first * second).sum(0)])
 
 
 def _angles(space: Space, position: Array, stations: Array) -> Array:
@@ -112,7 +127,6 @@ def _angles(space: Space, position: Array, stations: Array) -> Array:
         evaluate(space.grid, nodes, np.zeros(1), stations, *order)[:, 0]
         for order in ((1, 0), (0, 1))
     )
-    metric = np.stack([(first**2).sum(0), (second**2).sum(0), (first * second).sum(0)])
-    cosine, sine = principal_stretches(metric).along
+    cosine, sine = principal_stretches(_metric(first, second)).along
     angles: Array = 0.5 * np.pi - np.arctan2(sine, cosine)
     return angles

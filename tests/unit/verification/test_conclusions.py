@@ -265,5 +265,6 @@ def test_a_scan_that_was_refused_covers_nothing():
     ("plain", "contracting", "taut"), [(1e-5, 6e-4, True), (6e-4, 6e-4, False), (NAN, 6e-4, False)]
 )
 def test_what_lateral_contraction_does_to_the_rays(plain, contracting, taut):
-    rows = [tension_field.StripErrors(0.01, e, 0.0, np.zeros(1)) for e in (plain, contracting)]
+    errors = ((plain, 0.0), (contracting, 0.05))
+    rows = [tension_field.StripErrors(0.01, e, 0.0, np.zeros(1), part) for e, part in errors]
     assert ("leave the sheet taut" in tension_field.taut_corner_text(*rows)) is taut
