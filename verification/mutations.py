@@ -174,6 +174,29 @@ MUTATIONS = (
         "SPIKE = 5000.0",
     ),
     Mutation(
+        "tension_field",
+        "natural width of wrinkles ignored: they hide all that is narrower than undeformed",
+        "mechanics/relaxed.py",
+        "return np.nan_to_num(self.law.natural_width(np.sqrt(larger))) ** 2",
+        "return np.ones_like(larger)",
+    ),
+    Mutation(
+        "tension_field",
+        "tension of wrinkles at the width of the sheet instead of the natural one",
+        "mechanics/relaxed.py",
+        "stress, tangent = self.law.derivatives(natural)",
+        "stress, tangent = self.law.derivatives(\n"
+        "            np.stack([natural[0], stretches.smaller[where], natural[2]])\n"
+        "        )",
+    ),
+    Mutation(
+        "tension_field",
+        "hidden width over the width of the sheet at each point",
+        "metrics/confinement.py",
+        "points.wrinkled, points.natural_width * (1.0 - 1.0 / (1.0 + points.excess)), 0.0",
+        "points.wrinkled, points.excess, 0.0",
+    ),
+    Mutation(
         "regression",
         "a random start of the eigenvalue search",
         "equilibrium/modes.py",

@@ -16,6 +16,7 @@ from verification.groups import (
     independent,
     paths,
     scans,
+    tension_field,
     whole_sheet,
 )
 from verification.groups.bending_laws import LINEAR, NEO, OTHERS, PAPER
@@ -258,3 +259,12 @@ def test_a_scan_that_was_refused_covers_nothing():
     refused = scans.Trial("white noise", 10, 400, "no", (NAN,) * 3, (NAN,) * 3)
     assert scans.coverage([known, refused]) == [0.5, 0.0, 0.5]
     assert scans.refused([known, refused]) == 0.5
+
+
+@pytest.mark.parametrize(
+    ("plain", "contracting", "taut"), [(1e-5, 6e-4, True), (6e-4, 6e-4, False), (NAN, 6e-4, False)]
+)
+def test_what_lateral_contraction_does_to_the_rays(plain, contracting, taut):
+    errors = ((plain, 0.0), (contracting, 0.05))
+    rows = [tension_field.StripErrors(0.01, e, 0.0, np.zeros(1), part) for e, part in errors]
+    assert ("leave the sheet taut" in tension_field.taut_corner_text(*rows)) is taut
