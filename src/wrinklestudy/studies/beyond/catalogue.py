@@ -32,7 +32,8 @@ _FIGURES = (
         title="the critical mode over strain and L/W",
         caption="For each model: crests and troughs across the width; the place along the sheet "
         "where the mode is largest, 0 at the centre and 0.5 at the clamp; and by how much the "
-        "critical thicknesses of antisymmetric and symmetric wrinkles differ.",
+        "critical thicknesses of antisymmetric and symmetric wrinkles differ. Grey: no "
+        "thickness wrinkles.",
         part=_MAPS,
         module=f"{_HERE}.figures.map_modes",
         analyses=("map",),
@@ -41,7 +42,8 @@ _FIGURES = (
         name="map_quartic",
         title="birth and decay, gradual or with a jump, over L/W and t/W",
         caption="The quartic coefficient g of small wrinkles along the boundary, at birth and at "
-        "decay. Where g > 0 wrinkles grow and vanish gradually, where g < 0 with a jump.",
+        "decay. Where g > 0 wrinkles grow and vanish gradually, where g < 0 with a jump. White: no "
+        "wrinkles, or none that end on the map.",
         part=_QUARTIC,
         module=f"{_HERE}.figures.map_quartic",
         analyses=("map",),
