@@ -144,7 +144,7 @@ def islands(
     return [Island(thickness, held, first, last) for first, last in pairs]
 
 
-class Corrected(NamedTuple):
+class SolvedTip(NamedTuple):
     """A tip that was interpolated, corrected by direct solutions."""
 
     tip: Tip
@@ -157,7 +157,7 @@ def corrected(
     between: Callable[[float, float], Ridge],
     thickness: float,
     held: Held = "t/W",
-) -> Corrected:
+) -> SolvedTip:
     """Return a tip from few direct solutions, by Newton steps with the slope of the map.
 
     The error that a step leaves is that of the slope times the step. It ends with a step below
@@ -196,7 +196,7 @@ def corrected(
             break
         aspect += step
         if abs(step) < _NEAR * aspect:
-            return Corrected(Tip(aspect, strain), step / aspect)
+            return SolvedTip(Tip(aspect, strain), step / aspect)
     raise ArithmeticError(f"no tip is found near L/W = {guess.aspect:.4g}")
 
 

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from wrinklestudy.equilibrium.islands import (
-    Corrected,
     Held,
     Island,
     Ridge,
     RidgeOfLaw,
+    SolvedTip,
     Tip,
     corrected,
     interpolated,
@@ -139,12 +139,12 @@ def _tips(study: StudyTables) -> Iterator[TipOfModel]:
 
 def _corrected(
     guess: Tip, ridge: RidgeOfLaw, between: Callable[[float, float], Ridge], size: float, held: Held
-) -> Corrected:
+) -> SolvedTip:
     """Return a corrected tip, NaN if it is not found: a map may be too coarse for it."""
     try:
         return corrected(guess, ridge, between, size, held)
     except ArithmeticError:
-        return Corrected(Tip(math.nan, math.nan), math.nan)
+        return SolvedTip(Tip(math.nan, math.nan), math.nan)
 
 
 def of_models(every: tuple[TipOfModel, ...], held: Held) -> dict[str, dict[str, TipOfModel]]:

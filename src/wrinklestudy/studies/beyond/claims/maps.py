@@ -54,10 +54,12 @@ def tips_of(study: StudyTables, held: Held) -> dict[str, dict[str, float]]:
 
 
 def _spans(ends: Mapping[str, Mapping[str, float]]) -> str:
+    def text(known: Mapping[str, float], end: str) -> str:
+        return number_text(known[end], 4) if end in known else "beyond the map"
+
     return ", ".join(
-        f"{number_text(e.get('first', math.nan), 4)} to {number_text(e.get('last', math.nan), 4)} "
-        f"({model})"
-        for model, e in ends.items()
+        f"{text(known, 'first')} to {text(known, 'last')} ({model})"
+        for model, known in ends.items()
     )
 
 
@@ -75,16 +77,18 @@ def _values(ends: Mapping[str, Mapping[str, float]]) -> tuple[Value, ...]:
     statement="Whatever the law, sheets of one thickness wrinkle in one range of L/W.",
     reading="Ends solved directly near those of the map; a range is of sheets that wrinkle at some "
     "strain.",
-    tolerance="one island on the map of each model, both ends found",
+    tolerance="one island on the map of each model whose islands end there, both ends found",
 )
 def one_island(study: StudyTables) -> Finding:
     """Count islands and give their tips."""
     between, ends = islands_between(study, "t/W"), tips_of(study, "t/W")
     outcomes = {
-        model: len(islands) == 1
-        and all(math.isfinite(ends.get(model, {}).get(end, math.nan)) for end in ("first", "last"))
+        model: len(islands) == 1 and all(math.isfinite(a) for a in ends[model].values())
         for model, islands in between.items()
+        if all(island.first and island.last for island in islands)
     }
+    if not outcomes:
+        raise MissingError("a map that reaches beyond both ends of an island")
     verdict, depends = verdict_across(outcomes, "the model")
     return Finding(
         verdict,
