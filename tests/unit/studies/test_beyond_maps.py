@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from made_up_study import world
+from made_up_study import STRAIN, sheet, world
 
 from wrinklestudy.equilibrium.islands import Ridge
 from wrinklestudy.mechanics.laws import mooney_rivlin
@@ -96,6 +96,7 @@ CASES = [
     ("decay-is-gradual", {"quartic": sudden}, "disagree"),
     ("decay-is-gradual", {}, "agree"),
     ("island-separates-the-paper", {}, "not computed"),
+    ("height-from-quartic", {}, "not computed"),
 ]
 
 
@@ -127,6 +128,19 @@ def test_the_table_has_the_roots_of_the_ridge(study):
     excess = (a / 2.0) ** 2 - 1.0 + 0.8 * (a - FIRST) * (LAST - a)
     roots = a[:-1][np.diff(np.sign(excess)) != 0.0]
     assert [by_end["t/W", "first"], by_end["t/W", "last"]] == pytest.approx(roots, rel=1e-3)
+
+
+@pytest.mark.parametrize(("factor", "verdict"), [(1.0, "agree"), (1.03, "disagree")])
+def test_low_wrinkles_have_the_height_of_the_quartic_coefficient(study, factor, verdict):
+    """tau_1^2 of the map at L/W = 2.4, g = 0.05: (A/t)^2 = 10 (tau_1^2/t^2 - 1)."""
+    made, thickness = study(name="mr-010"), 1.2e-3
+    squared = ridge(2.4) ** 2 * np.maximum(25.0 * STRAIN * (0.4 - STRAIN), 0.0)
+    height = np.sqrt(np.maximum(squared / thickness**2 - 1.0, 0.0) * 10.0)
+    columns = {"critical_thickness": np.sqrt(squared), "birth": 0.05, "decay": 0.35}
+    columns["sheet_amplitude_over_thickness"] = factor * height
+    low = sheet(material="mr-010", bending="fvk", aspect=2.4, thickness=thickness, **columns)
+    found = CLAIMS["height-from-quartic"].finding(replace(made, sheets=(*made.sheets, low)))
+    assert found.verdict == verdict, found.explanation
 
 
 def test_a_study_without_maps_has_no_tips():
