@@ -24,6 +24,8 @@ Held = Literal["t/W", "t/L"]
 
 _TOLERANCE = 2.0e-3  # of the L/W of a tip, in parts of it
 _MAX_STEPS = 20
+_NEAR = 5.0e-3  # a correction below this part of L/W is the last
+_MAX_CORRECTIONS = 5
 _BESIDE = (0.85, 1.0, 1.18)  # strains of a first bracket of a maximum, in parts of the expected one
 
 
@@ -140,6 +142,62 @@ def islands(
         ends.append(None)
     pairs = zip(ends[::2], ends[1::2], strict=True)
     return [Island(thickness, held, first, last) for first, last in pairs]
+
+
+class SolvedTip(NamedTuple):
+    """A tip that was interpolated, corrected by direct solutions."""
+
+    tip: Tip
+    change: float  # last correction, in parts of the L/W
+
+
+def corrected(
+    guess: Tip,
+    ridge: Callable[[float, float], Ridge],
+    between: Callable[[float, float], Ridge],
+    thickness: float,
+    held: Held = "t/W",
+) -> SolvedTip:
+    """Return a tip from few direct solutions, by Newton steps with the slope of the map.
+
+    The error that a step leaves is that of the slope times the step. It ends with a step below
+    0.5% of the L/W.
+
+    Parameters
+    ----------
+    guess : Tip
+        Found between the L/W of a map.
+    ridge : callable
+        `RidgeOfLaw`.
+    between : callable
+        `interpolated`, for the slope.
+    thickness : float
+        t/W or t/L.
+    held : {'t/W', 't/L'}
+
+    Raises
+    ------
+    ArithmeticError
+        If it is not found.
+    """
+    aspect, strain = guess
+    width = _NEAR * aspect
+    ahead, behind = (
+        _excess(
+            between(guess.aspect + side, strain).thickness, guess.aspect + side, thickness, held
+        )
+        for side in (width, -width)
+    )
+    slope = (ahead - behind) / (2.0 * width)
+    for _ in range(_MAX_CORRECTIONS):
+        highest, strain = ridge(aspect, strain)
+        step = -_excess(highest, aspect, thickness, held) / slope if slope != 0.0 else np.inf
+        if not abs(step) < 0.2 * aspect:
+            break
+        aspect += step
+        if abs(step) < _NEAR * aspect:
+            return SolvedTip(Tip(aspect, strain), step / aspect)
+    raise ArithmeticError(f"no tip is found near L/W = {guess.aspect:.4g}")
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,8 @@ from wrinklestudy.equilibrium.critical_map import critical_states, map_grid
 from wrinklestudy.equilibrium.islands import (
     Ridge,
     RidgeOfLaw,
+    Tip,
+    corrected,
     interpolated,
     islands,
     ridge_of_table,
@@ -55,6 +57,22 @@ def test_a_ridge_between_strains_is_that_of_the_parabola_of_the_square():
     found = ridge_of_table(strains, np.sqrt(squared))
     assert found.strain == pytest.approx(0.13)
     assert found.thickness == pytest.approx(math.sqrt(2e-6))
+
+
+def test_a_tip_is_corrected_with_the_slope_of_a_map_that_is_a_little_off():
+    """The map is a tenth too high; each step leaves the error of its slope times the step."""
+
+    def too_high(aspect, expected):
+        return Ridge(1.1 * hump(aspect).thickness, expected)
+
+    root = 2.5 + math.sqrt(0.5)
+    guess = Tip(2.5 + math.sqrt(1.0 - 0.5 / 1.1), 0.3)
+    found = corrected(guess, hump, too_high, 5e-4)
+    assert found.tip.aspect == pytest.approx(root, rel=1e-3)
+    assert abs(guess.aspect / root - 1.0) > 5e-3
+    assert abs(found.change) < 5e-3
+    with pytest.raises(ArithmeticError, match="no tip is found"):
+        corrected(guess, hump, too_high, 1e-2)
 
 
 def test_the_island_of_the_10_to_1_sheet_is_the_published_one():

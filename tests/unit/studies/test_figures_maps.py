@@ -112,7 +112,7 @@ def test_the_sign_along_the_boundary_is_that_of_the_modes_there(inputs):
     """Made up to change its sign at L/W = 3, at birth and at decay alike."""
     table = inputs.table("map")
     odd = table[table.parity == "antisymmetric"]
-    at_birth, at_decay = map_quartic.along_boundary(
+    at_birth, at_decay = maps.along_boundary(
         strain_map.of_table(odd), strain_map.of_table(odd, "quartic"), np.array([5e-4, 1e-3])
     )
     for values in (at_birth, at_decay):

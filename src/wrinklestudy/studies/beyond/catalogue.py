@@ -4,9 +4,50 @@ from wrinklestudy.studies.beyond.selections import own_rubber, rubbers, same_len
 from wrinklestudy.study.catalogue import Catalogue, FigureEntry, SectionEntry, TableEntry
 
 _HERE = "wrinklestudy.studies.beyond"
+_MAPS, _QUARTIC = "4 Maps", "8 Quartic coefficients"
 _SCALES, _BIRTH, _RUBBER = "5 Wavelength and length", "6 Thresholds", "7 The rubber"
 
 _FIGURES = (
+    FigureEntry(
+        name="map_thickness",
+        title="the thickest sheet that wrinkles, over strain and L/W",
+        caption="Contours of the critical thickness τ₁/W: at each point sheets thinner than it "
+        "wrinkle. Filled and open circles: the paper's sheets, wrinkled and flat, as computed. "
+        "Stars: first and last L/W that wrinkles at t/W = 1e-3, between the L/W of the map.",
+        part=_MAPS,
+        module=f"{_HERE}.figures.map_thickness",
+        analyses=("map",),
+    ),
+    FigureEntry(
+        name="map_length",
+        title="the same in units of the length",
+        caption="Contours of τ₁/L. Published boundaries hold t/L in place of t/W, and long sheets "
+        "are then thicker. Stars: first and last L/W that wrinkles at t/L = 5e-4.",
+        part=_MAPS,
+        module=f"{_HERE}.figures.map_length",
+        analyses=("map",),
+    ),
+    FigureEntry(
+        name="map_modes",
+        title="the critical mode over strain and L/W",
+        caption="For each model: crests and troughs across the width; the place along the sheet "
+        "where the mode is largest, 0 at the centre and 0.5 at the clamp; and by how much the "
+        "critical thicknesses of antisymmetric and symmetric wrinkles differ. Grey: no "
+        "thickness wrinkles.",
+        part=_MAPS,
+        module=f"{_HERE}.figures.map_modes",
+        analyses=("map",),
+    ),
+    FigureEntry(
+        name="map_quartic",
+        title="birth and decay, gradual or with a jump, over L/W and t/W",
+        caption="The quartic coefficient g of small wrinkles along the boundary, at birth and at "
+        "decay. Where g > 0 wrinkles grow and vanish gradually, where g < 0 with a jump. White: no "
+        "wrinkles, or none that end on the map.",
+        part=_QUARTIC,
+        module=f"{_HERE}.figures.map_quartic",
+        analyses=("map",),
+    ),
     FigureEntry(
         name="scales",
         title="wavelength and length of the wrinkles against L/W",
@@ -45,6 +86,12 @@ _FIGURES = (
 
 _TABLES = (
     TableEntry(
+        name="tips",
+        title="First and last L/W that wrinkles",
+        caption="Tips of the islands of each model at fixed t/W and at fixed t/L.",
+        module=f"{_HERE}.tables.tips",
+    ),
+    TableEntry(
         name="scales",
         title="Wavelength and length of every wrinkled state",
         caption="Wavelength and length of the wrinkles in both coordinates.",
@@ -65,6 +112,16 @@ _TABLES = (
 )
 
 _SECTIONS = (
+    SectionEntry(
+        number=4,
+        title="4. Maps of the critical thickness",
+        asked="Which sheets wrinkle at some strain, and with which mode? At a strain and L/W, "
+        "sheets thinner than the critical thickness τ₁ wrinkle; a map of it serves all "
+        "thicknesses. The first and last L/W at which sheets of one thickness wrinkle are the "
+        "tips of an island, which differ with the ratio held, t/W or t/L.",
+        figures=("map_thickness", "map_length", "map_modes"),
+        tables=("tips",),
+    ),
     SectionEntry(
         number=5,
         title="5. Wavelength and length of the wrinkles",
@@ -89,6 +146,13 @@ _SECTIONS = (
         "tells.",
         figures=("rubber",),
         tables=("rubber",),
+    ),
+    SectionEntry(
+        number=8,
+        title="8. Quartic coefficients",
+        asked="Do wrinkles grow from nothing and shrink to nothing, or do they jump, along the "
+        "boundary of stability?",
+        figures=("map_quartic",),
     ),
 )
 

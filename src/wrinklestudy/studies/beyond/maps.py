@@ -1,4 +1,4 @@
-"""What the figures of maps share: models, the paper's sheets, roots of tau_1 = t on a map."""
+"""What figures and claims of maps share: models, the paper's sheets, roots of tau_1 = t."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
@@ -19,6 +19,8 @@ PAPER_THICKNESS = 1.0e-3
 PAPER_STRAINS = tuple(0.04 * k for k in range(1, 13))
 # t/L of the boundary that was published for the 10:1 sheet: t/W = 1e-3 at L/W = 2
 PUBLISHED_OVER_LENGTH = 5.0e-4
+# t/W at which the stability boundary is looked at
+THICKNESSES = np.geomspace(1e-4, 1.6e-3, 41)
 
 
 def by_model(table: "pd.DataFrame") -> "Iterator[tuple[str, pd.DataFrame]]":
@@ -67,3 +69,19 @@ def value_at(shown: StrainMap, aspect: float, strain: float) -> float:
         return float("nan")
     over_strain = [float(np.interp(strain, shown.strains, row)) for row in shown.values]
     return float(np.interp(aspect, shown.aspects, over_strain))
+
+
+def along_boundary(tau: StrainMap, quartic: StrainMap, thicknesses: Array) -> tuple[Array, Array]:
+    """Return g at birth and at decay of sheets of some t/W, (thicknesses, L/W) each.
+
+    NaN where the sheet does not wrinkle, or where its wrinkles outlast the map.
+    """
+    ends = np.full((2, len(thicknesses), len(tau.aspects)), np.nan)
+    for k, (row, coefficients) in enumerate(zip(tau.values, quartic.values, strict=True)):
+        known = np.isfinite(coefficients)
+        for j, thickness in enumerate(thicknesses):
+            for end, strain in enumerate(edges(tau.strains, row**2, thickness)):
+                if known.any() and np.isfinite(strain):
+                    values = np.interp(strain, tau.strains[known], coefficients[known])
+                    ends[end, j, k] = values
+    return ends[0], ends[1]

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
 _TICKS = (0.5, 0.7, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 6.0, 8.0, 12.0, 20.0)  # of L/W
+FEW_TICKS = (0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 8.0, 20.0)  # of L/W, for low panels
 # Contours of t/W or t/L: these times powers of ten
 _STEPS = (1.0, 1.5, 2.0, 3.0, 5.0, 7.0)
 _MOST, _RANGE = 10, 20.0  # contours, and their largest over their smallest
@@ -118,14 +119,14 @@ def round_levels(values: Array) -> list[float]:
     return [level for level in levels if highest / _RANGE < level < highest][-_MOST:]
 
 
-def finish(axes: Axes, shown: StrainMap, title: str = "") -> None:
+def finish(axes: Axes, shown: StrainMap, title: str = "", ticks: Sequence[float] = _TICKS) -> None:
     """Set the axes of a map."""
     axes.set_xlim(0.0, float(shown.strains[-1]))
     axes.set_ylim(float(shown.aspects[0]), float(shown.aspects[-1]))
     axes.set_xlabel(r"strain $\varepsilon$")
     axes.set_ylabel("$L/W$")
     axes.set_yscale("log")  # all that changes much does so below L/W = 3
-    axes.yaxis.set_major_locator(FixedLocator(_TICKS))
+    axes.yaxis.set_major_locator(FixedLocator(ticks))
     axes.yaxis.set_major_formatter("{x:g}")
     axes.yaxis.set_minor_locator(NullLocator())
     axes.set_title(title, loc="left", fontsize=8.0, pad=2.0)

@@ -59,7 +59,7 @@ def _tips(axes: Axes, shown: StrainMap, unit: Unit, thickness: float) -> None:
     if len(ridges) < 2:
         return
     for island in islands(ridges, interpolated(ridges), thickness, unit):
-        for tip in (island.first, island.last):
+        for tip, above in ((island.first, -9), (island.last, 2)):
             if tip is None:
                 continue
             label = f"tips at ${unit} = {number(thickness)}$"
@@ -67,9 +67,10 @@ def _tips(axes: Axes, shown: StrainMap, unit: Unit, thickness: float) -> None:
             axes.annotate(
                 f"{tip.aspect:.3g}",
                 (tip.strain, tip.aspect),
-                xytext=(4, 2),
+                xytext=(4, above),
                 textcoords="offset points",
                 fontsize=6.5,
+                bbox={"facecolor": "white", "alpha": 0.7, "edgecolor": "none", "pad": 0.5},
             )
 
 

@@ -15,6 +15,8 @@ from wrinklestudy.typing import Array
 # Differences of the parities below the error of an eigenvalue and above a hundredth are drawn as
 # these.
 _LEAST, _MOST = 1e-10, 1e-2
+_PLACES = Normalize(0.0, 0.4)  # of |x|/L, the same for all models
+_EMPTY = "0.85"  # grey where there is no mode: white stands for parities that agree
 _WAVES = (5, 7, 9, 11, 13, 17, 25, 41)  # between which numbers of half-waves have one colour
 
 
@@ -30,11 +32,13 @@ def draw(inputs: Inputs) -> Figure:
         bar = _shade(figure, line[0], waves, waves.values, BoundaryNorm(_WAVES, 256))
         bar.set_label("half-waves, antisymmetric")
         place = strain_map.of_table(rows, "largest_at")
-        _shade(figure, line[1], place, place.values).set_label("largest at $|x|/L$")
+        bar = _shade(figure, line[1], place, place.values, _PLACES)
+        bar.set_label("largest at $|x|/L$")
+        bar.set_ticks([0.0, 0.1, 0.2, 0.3, 0.4])
         first, second = strain_map.of_table(odd), strain_map.of_table(even)
         _parities(figure, line[2], first, second)
         for axes, shown in zip(line, (waves, place, first), strict=True):
-            strain_map.finish(axes, shown, title if axes is line[0] else "")
+            strain_map.finish(axes, shown, title if axes is line[0] else "", strain_map.FEW_TICKS)
     return figure
 
 
@@ -45,12 +49,14 @@ def _parities(figure: Figure, axes: Axes, odd: StrainMap, even: StrainMap) -> No
     bar = _shade(
         figure, axes, odd, _digits(odd.values, even.values), Normalize(-most, most), "RdBu"
     )
-    powers = np.arange(lowest + 2.0, highest + 0.5, 3.0)
-    labels = [f"$10^{{{power:.0f}}}$" for power in powers]
+    powers = np.array([lowest + 4.0, highest])
+    labels = [f"10^{{{power:.0f}}}" for power in powers]
     bar.set_ticks(
-        [*(lowest - powers), *(powers - lowest)], labels=[*(f"$-${x}" for x in labels), *labels]
+        [*(lowest - powers), 0.0, *(powers - lowest)],
+        labels=[*(f"$-{x}$" for x in labels), "0", *(f"${x}$" for x in labels)],
     )
-    bar.set_label(r"$\tau_1$ antisymmetric over symmetric, less 1")
+    bar.ax.tick_params(labelsize=6.5)
+    bar.set_label(r"$\tau_1$, antisym. / sym. $-$ 1")
 
 
 def _digits(odd: Array, even: Array) -> Array:
@@ -72,7 +78,8 @@ def _shade(
     norm: Normalize | None = None,
     colours: str = "viridis",
 ) -> Colorbar:
-    """Colour the points of a map, white where there is no mode; return the bar of the colours."""
+    """Colour the points of a map, grey where there is no mode; return the bar of the colours."""
+    axes.set_facecolor(_EMPTY)
     mesh = axes.pcolormesh(
         shown.strains,
         shown.aspects,

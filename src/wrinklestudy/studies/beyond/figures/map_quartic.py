@@ -10,10 +10,8 @@ from wrinklestudy.studies.beyond import maps
 from wrinklestudy.study.figures import strain_map, style
 from wrinklestudy.study.figures.inputs import Inputs
 from wrinklestudy.study.figures.series import number
-from wrinklestudy.study.figures.strain_map import StrainMap
 from wrinklestudy.typing import Array
 
-_THICKNESSES = np.geomspace(1e-4, 1.6e-3, 41)
 _ENDS = ("birth", "decay")
 _SCALE = LogNorm(5e-3, 0.3)
 
@@ -26,7 +24,7 @@ def draw(inputs: Inputs) -> Figure:
     for line, (title, rows) in zip(panels, models, strict=True):
         rows = rows[rows.parity == "antisymmetric"]
         tau, quartic = strain_map.of_table(rows), strain_map.of_table(rows, "quartic")
-        at_birth, at_decay = along_boundary(tau, quartic, _THICKNESSES)
+        at_birth, at_decay = maps.along_boundary(tau, quartic, maps.THICKNESSES)
         for axes, end, values in zip(line, _ENDS, (at_birth, at_decay), strict=True):
             mesh = _signs(axes, tau.aspects, values)
             first = axes is line[0]
@@ -36,33 +34,17 @@ def draw(inputs: Inputs) -> Figure:
     return figure
 
 
-def along_boundary(tau: StrainMap, quartic: StrainMap, thicknesses: Array) -> tuple[Array, Array]:
-    """Return g at birth and at decay of sheets of some t/W, (thicknesses, L/W) each.
-
-    NaN where the sheet does not wrinkle, or where its wrinkles outlast the map.
-    """
-    ends = np.full((2, len(thicknesses), len(tau.aspects)), np.nan)
-    for k, (row, coefficients) in enumerate(zip(tau.values, quartic.values, strict=True)):
-        known = np.isfinite(coefficients)
-        for j, thickness in enumerate(thicknesses):
-            for end, strain in enumerate(maps.edges(tau.strains, row**2, thickness)):
-                if known.any() and np.isfinite(strain):
-                    values = np.interp(strain, tau.strains[known], coefficients[known])
-                    ends[end, j, k] = values
-    return ends[0], ends[1]
-
-
 def _signs(axes: Axes, aspects: Array, values: Array) -> QuadMesh:
     """Shade where the coefficient is positive, cross where it is not; say which there are."""
     positive = np.ma.masked_where(~(values > 0.0), values)
     mesh = axes.pcolormesh(
-        aspects, _THICKNESSES, positive, norm=_SCALE, cmap="viridis", rasterized=True
+        aspects, maps.THICKNESSES, positive, norm=_SCALE, cmap="viridis", rasterized=True
     )
     rows, columns = np.nonzero(values < 0.0)
     if len(rows):
         axes.plot(
             aspects[columns],
-            _THICKNESSES[rows],
+            maps.THICKNESSES[rows],
             "x",
             ms=2.0,
             color=style.VERMILLION,
