@@ -1,4 +1,4 @@
-"""What is kept of tension fields: a row for each strain, and the fields of a sheet at all strains."""
+"""What is kept of tension fields: a row for each strain, and the fields at all strains."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -101,7 +101,7 @@ def tension_row(field: "TensionField", material: laws.Material, name: str) -> Te
     measured = confinement(field)
     coarser = field.coarser
     error = None
-    if coarser is not None and coarser.converged:
+    if coarser is not None and coarser.converged and coarser.remainder == field.remainder:
         error = abs(measured.phi_squared - confinement(coarser).phi_squared)
     wrinkled = max(measured.wrinkled_width, measured.wrinkled_length_over_length) > 0.0
     return TensionRow(
