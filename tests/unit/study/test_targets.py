@@ -45,6 +45,7 @@ def test_the_files_of_a_study_follow_from_its_cases():
         "planar": 5,
         "stability": 5,
         "map": 2,
+        "tension": 2,  # the table and the fields of one job
         "wrinkle": 9,
         "metrics": 5,
         "summary": 3,
