@@ -4,10 +4,22 @@ from wrinklestudy.studies.beyond.selections import own_rubber, rubbers, same_len
 from wrinklestudy.study.catalogue import Catalogue, FigureEntry, SectionEntry, TableEntry
 
 _HERE = "wrinklestudy.studies.beyond"
+_FIELD = "1 Tension field"
 _MAPS, _QUARTIC = "4 Maps", "8 Quartic coefficients"
 _SCALES, _BIRTH, _RUBBER = "5 Wavelength and length", "6 Thresholds", "7 The rubber"
 
 _FIGURES = (
+    FigureEntry(
+        name="thin_limit",
+        title="hidden width of ever thinner sheets and of the tension field",
+        caption="Left: Φ² against strain of the tension field, the sheet without thickness, and of "
+        "sheets. Right: what the sheets lack of the field, against thickness; the line is "
+        "proportional to t.",
+        part=_FIELD,
+        module=f"{_HERE}.figures.thin_limit",
+        sheets=same_length,
+        analyses=("tension",),
+    ),
     FigureEntry(
         name="map_thickness",
         title="the thickest sheet that wrinkles, over strain and L/W",
@@ -112,6 +124,21 @@ _TABLES = (
 )
 
 _SECTIONS = (
+    SectionEntry(
+        number=1,
+        title="1. Tension field theory",
+        asked="What does tension field theory say of the clamped sheet, where wrinkles cost "
+        "nothing?",
+        figures=(),
+        tables=(),
+    ),
+    SectionEntry(
+        number=2,
+        title="2. The thin limit",
+        asked="How do sheets come to the tension field as they get thinner?",
+        figures=("thin_limit",),
+        tables=(),
+    ),
     SectionEntry(
         number=4,
         title="4. Maps of the critical thickness",
