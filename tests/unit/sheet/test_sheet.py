@@ -105,4 +105,5 @@ def test_the_memory_of_a_sheet_is_free_when_nothing_refers_to_it():
     command = [sys.executable, "-c", _SEVERAL]
     printed = subprocess.run(command, capture_output=True, text=True, check=True).stdout
     pages = [int(line) for line in printed.split()]
-    assert pages[-1] < 1.3 * pages[0]
+    # the heap may still grow a little once; what a leak keeps is as much again with every sheet
+    assert pages[-1] < 1.3 * max(pages[:2])
