@@ -1,11 +1,17 @@
 """How sheets come to the tension field, on numbers that are known."""
 
+from dataclasses import replace
+
 import numpy as np
 import pandas as pd
 import pytest
-from made_up_study import STRAIN, sheet
+from made_up_study import STRAIN, sheet, world
 
 from wrinklestudy.studies.beyond.thin_limit import Approach, approaches
+from wrinklestudy.study.claims.discovery import load_claims
+
+CLAIMS = {claim.key: claim for claim in load_claims("beyond")}
+FIELD = 4e-3
 
 THICKNESS = np.array([1e-4, 2e-4, 5e-4])
 
@@ -35,3 +41,44 @@ def test_a_field_has_an_approach_where_three_sheets_of_its_rubber_and_length_are
     assert list(approach.thickness) == list(THICKNESS)
     assert approaches(sheets[:2], rows, like) == []
     assert approaches(sheets, rows.assign(aspect=like.aspect + 1.0), like) == []
+
+
+def judged(key, tmp_path, **columns):
+    """Judge a claim on sheets whose deficit is proportional to t, and a made-up tension field."""
+    study = world()
+    paper = study.sheet
+    table = {
+        "material": paper.material,
+        "aspect": paper.aspect,
+        "strain": [STRAIN[1]],
+        "status": "wrinkled",
+        "phi_squared": FIELD,
+        "phi_squared_error": 1e-6,
+        "remainder": 0.0,
+    }
+    path = tmp_path / "tension.csv"
+    pd.DataFrame(table | columns).to_csv(path, index=False)
+    states = list(paper.columns["strain"])
+    sheets = tuple(
+        sheet(thickness=t, phi_squared=np.full(len(states), FIELD * (1.0 - 800.0 * t)))
+        for t in THICKNESS.tolist()
+    )
+    study = replace(study, sheets=(paper, *sheets), analyses={"tension": {"table": [path]}})
+    return CLAIMS[key].finding(study).verdict
+
+
+@pytest.mark.parametrize(
+    ("key", "columns", "verdict"),
+    [
+        ("field-is-solved", {}, "agree"),
+        ("field-is-solved", {"phi_squared_error": 1e-4}, "disagree"),
+        ("field-is-solved", {"remainder": 1e-3}, "disagree"),
+        ("field-is-solved", {"aspect": 7.0}, "not computed"),
+        ("first-order-in-thickness", {}, "agree"),
+        ("first-order-in-thickness", {"phi_squared": 1e-3}, "disagree"),  # sheets above the field
+        ("first-order-in-thickness", {"phi_squared": 2.0 * FIELD}, "disagree"),  # another limit
+        ("first-order-in-thickness", {"aspect": 7.0}, "not computed"),
+    ],
+)
+def test_a_claim_follows_its_numbers(key, columns, verdict, tmp_path):
+    assert judged(key, tmp_path, **columns) == verdict
