@@ -19,9 +19,9 @@ from wrinklestudy.metrics.interpolant import DeformedSheet
 from wrinklestudy.metrics.measure import Measures, measure_sheet
 from wrinklestudy.results.cases import resolved_thickness
 from wrinklestudy.results.fields import state_row
-from wrinklestudy.results.rows import StateRow, columns
+from wrinklestudy.results.rows import StateRow
 from wrinklestudy.results.states import unmeasured, with_measures
-from wrinklestudy.results.tension import TensionRow, shown_tension, tension_row
+from wrinklestudy.results.tension import TensionRow, tension_row
 from wrinklestudy.vocabulary import ASPECT, PARITIES, STRAIN, THICKNESS, Parity, Status
 
 
@@ -77,9 +77,7 @@ class State:
         The keys are the columns of `results.rows.StateRow` that ``solve --json`` shows, then
         ``seconds``.
         """
-        row = self.row()
-        shown = [column.name for column in columns(StateRow).values() if column.shown]
-        return {name: getattr(row, name) for name in shown} | {"seconds": self.seconds}
+        return self.row().shown() | {"seconds": self.seconds}
 
 
 @dataclass(frozen=True)
@@ -126,7 +124,7 @@ class TensionState:
         The keys are the columns of `results.tension.TensionRow` that ``tension-field --json``
         shows, then ``seconds``.
         """
-        return shown_tension(self.row) | {"seconds": self.seconds}
+        return self.row.shown() | {"seconds": self.seconds}
 
 
 @dataclass(frozen=True)

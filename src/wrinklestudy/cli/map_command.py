@@ -119,7 +119,7 @@ def points_of(
     """Return the points of one L/W in the order of the strains."""
     from wrinklestudy.equilibrium.critical_map import critical_states, map_grid
     from wrinklestudy.mechanics.laws import describe
-    from wrinklestudy.results.maps import map_row, shown_point
+    from wrinklestudy.results.maps import map_row
 
     def report(strain: float) -> None:
         if line is not None:
@@ -134,7 +134,7 @@ def points_of(
         pairs = zip(states[::2], states[1::2], strict=True)
         states = [max(pair, key=lambda state: state.critical_thickness or -1.0) for pair in pairs]
     law = str(describe(task.material)["law"])
-    points = [shown_point(map_row(state, law, law, grid)) for state in states]
+    points = [map_row(state, law, law, grid).shown() for state in states]
     return sorted(points, key=lambda point: task.strains.index(point["strain"]))
 
 

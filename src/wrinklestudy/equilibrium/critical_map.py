@@ -132,8 +132,6 @@ def critical_states(
             states += [CriticalState(strain, *k, "not-converged", str(error)) for k in kinds]
         if report is not None:
             report(strain)
-    if space is not grid:
-        space.shared.clear()  # a space and its factorisations hold each other
     return states
 
 

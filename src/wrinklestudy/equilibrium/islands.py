@@ -221,12 +221,9 @@ class RidgeOfLaw:
 
     def __call__(self, aspect: float, expected: float) -> Ridge:
         """Return the largest tau_1/W of a L/W, near the strain where it is expected."""
-        space = Space(map_grid(aspect, self.mesh))
-        curve = CriticalCurve(space, self.law, self.settings)
+        curve = CriticalCurve(Space(map_grid(aspect, self.mesh)), self.law, self.settings)
         strains = {min(factor * expected, self.largest) for factor in _BESIDE}
-        ridge = ridge_of(curve, sorted(strains))
-        space.shared.clear()  # a space and its factorisations hold each other
-        return ridge
+        return ridge_of(curve, sorted(strains))
 
 
 def _excess(highest: float, aspect: float, thickness: float, held: Held) -> float:

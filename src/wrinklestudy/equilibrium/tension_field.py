@@ -25,7 +25,7 @@ from wrinklestudy.typing import Array
 # 4 x 4 Gauss points: with 3 x 3 the number of Newton steps grows as the mesh gets finer across.
 _ORDER = 7
 _REMAINDERS = (0.1, 0.01, 0.0)
-_ON_THE_WAY = (0.1, 0.01, 1e-3, 1e-4, 0.0)  # where the shorter way failed
+_SHORTER = (1e-3, 1e-4, 0.0)  # steps for the rest of the way, where the last one was too long
 _LEAST_CELLS = 4
 _ACROSS = 2.0 / 3.0  # of the cells across that wrinkles need
 _OPTIONS = newton.NewtonOptions(
@@ -192,9 +192,10 @@ def _from_flat(
         nan = float("nan")
         return TensionField(space, law, strain, str(error), position, nan, nan, 1.0, ())
     state = _lower(space, law, strain, position, position, symmetry, options, _REMAINDERS)
-    if state.converged and state.remainder == 0.0:
+    if not state.converged or state.remainder == 0.0:
         return state
-    return _lower(space, law, strain, position, position, symmetry, options, _ON_THE_WAY)
+    rest = _lower(space, law, strain, state.position, position, symmetry, options, _SHORTER)
+    return replace(rest if rest.converged else state, history=state.history + rest.history)
 
 
 def _lower(

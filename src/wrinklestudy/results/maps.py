@@ -1,9 +1,9 @@
 """The rows of a map: tau_1 with its mode at one strain of one model and L/W."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from wrinklestudy.results.rows import columns, described
+from wrinklestudy.results.rows import Row, described
 from wrinklestudy.vocabulary import MAP_STATUSES, MapStatus
 
 if TYPE_CHECKING:  # to read a table needs no finite elements
@@ -12,7 +12,7 @@ if TYPE_CHECKING:  # to read a table needs no finite elements
 
 
 @dataclass(frozen=True)
-class MapRow:
+class MapRow(Row):
     """Small wrinkles of one parity on the flat state of one model, L/W and strain."""
 
     material: str = described("name of the material, or of a variant of one", identifies=True)
@@ -55,12 +55,6 @@ class MapRow:
     cells_across: int = described("cells of the quarter across")
     reason: str = described("why nothing is known; empty if something is", shown=True)
 
-    @property
-    def key(self) -> tuple[Any, ...]:
-        """What identifies the row in its table, which is sorted by it."""
-        own = columns(MapRow).values()
-        return tuple(getattr(self, column.name) for column in own if column.identifies)
-
 
 def map_row(state: "CriticalState", material: str, law: str, grid: "Grid") -> MapRow:
     """Return what is known at one strain as a row.
@@ -82,9 +76,3 @@ def map_row(state: "CriticalState", material: str, law: str, grid: "Grid") -> Ma
         cells_across=across,
         **vars(state),
     )
-
-
-def shown_point(row: MapRow) -> dict[str, Any]:
-    """Return what ``wrinklestudy map --json`` shows of a row."""
-    shown = [column.name for column in columns(MapRow).values() if column.shown]
-    return {name: getattr(row, name) for name in shown}

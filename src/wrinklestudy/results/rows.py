@@ -64,8 +64,23 @@ def described(description: str, unit: str = "", **flags: bool | tuple[str, ...])
     return field(metadata={"description": description, "unit": unit, **flags})
 
 
+class Row:
+    """A row of a table: a dataclass whose fields are described by `Column`."""
+
+    @property
+    def key(self) -> tuple[Any, ...]:
+        """What identifies the row in its table, which is sorted by it."""
+        own = columns(type(self)).values()
+        return tuple(getattr(self, column.name) for column in own if column.identifies)
+
+    def shown(self) -> dict[str, Any]:
+        """Return what the command line shows of the row with ``--json``."""
+        own = columns(type(self)).values()
+        return {column.name: getattr(self, column.name) for column in own if column.shown}
+
+
 @dataclass(frozen=True)
-class SheetIdentity:
+class SheetIdentity(Row):
     """What tells a sheet of a study from the others."""
 
     material: str = described("name of the material, or of a variant of one", identifies=True)
@@ -82,12 +97,6 @@ class SheetIdentity:
     def sheet_key(self) -> tuple[Any, ...]:
         """What identifies the sheet."""
         return tuple(getattr(self, name) for name in columns(SheetIdentity))
-
-    @property
-    def key(self) -> tuple[Any, ...]:
-        """What identifies the row in its table, which is sorted by it."""
-        own = columns(type(self)).values()
-        return tuple(getattr(self, column.name) for column in own if column.identifies)
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from wrinklestudy.files.storage import atomic_path
 from wrinklestudy.results.maps import MapRow
 from wrinklestudy.results.rows import (
     Column,
+    Row,
     SheetIdentity,
     SheetRow,
     StabilityRow,
@@ -113,7 +114,7 @@ def read_sheets(stability: AnyPath, peaks: AnyPath) -> list[SheetRow]:
 
 
 def _write(
-    rows: Sequence[SheetIdentity] | Sequence[MapRow] | Sequence[TensionRow],
+    rows: Sequence[Row],
     wanted: Mapping[str, Column],
     output: AnyPath,
 ) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 
 from wrinklestudy.files.storage import read_h5, write_h5
 from wrinklestudy.mechanics import laws
-from wrinklestudy.results.rows import columns, described
+from wrinklestudy.results.rows import Row, columns, described
 from wrinklestudy.typing import AnyPath, Array
 from wrinklestudy.vocabulary import STATUSES, Status
 
@@ -19,7 +19,7 @@ _LINES = 101  # lines X = const on which the widths are kept
 
 
 @dataclass(frozen=True)
-class TensionRow:
+class TensionRow(Row):
     """The tension field of one material, L/W and strain: the sheet without thickness."""
 
     material: str = described("name of the material", identifies=True)
@@ -62,12 +62,6 @@ class TensionRow:
     cells_along: int = described("cells of the quarter along the pull")
     cells_across: int = described("cells of the quarter across")
     reason: str = described("why it did not converge; empty if it did", shown=True)
-
-    @property
-    def key(self) -> tuple[Any, ...]:
-        """What identifies the row in its table, which is sorted by it."""
-        own = columns(TensionRow).values()
-        return tuple(getattr(self, column.name) for column in own if column.identifies)
 
 
 def tension_row(field: "TensionField", material: laws.Material, name: str) -> TensionRow:
@@ -119,12 +113,6 @@ def tension_row(field: "TensionField", material: laws.Material, name: str) -> Te
             "nominal_stress_pa": field.force * material.shear_modulus,
         }
     )
-
-
-def shown_tension(row: TensionRow) -> dict[str, Any]:
-    """Return what ``wrinklestudy tension-field --json`` shows of a row."""
-    shown = [column.name for column in columns(TensionRow).values() if column.shown]
-    return {name: getattr(row, name) for name in shown}
 
 
 @dataclass(frozen=True, eq=False)
