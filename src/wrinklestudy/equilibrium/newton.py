@@ -305,6 +305,8 @@ def _finish(
         updates.append(Update(step, residual - before))
         step = -inverse_times(residual, updates, solver)
         decrement = -float(residual @ step)
+        if abs(decrement) > history[-1].decrement:  # away from the minimum
+            break
         history.append(newton._replace(decrement=decrement, fresh=0.0))
         unknowns = unknowns + step
         if abs(decrement) <= options.tolerance * abs(newton.energy):

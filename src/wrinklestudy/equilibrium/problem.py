@@ -28,13 +28,23 @@ class PlateProblem:
     free : (3, size) array of bool
         The unknowns.
     position : (3, size) array
-        Gives the prescribed values of all other dofs; with z = 0 it is the flat state of `shift`.
+        Gives the prescribed values of all other dofs.
+    flat : (3, size) array, optional
+        The flat state of `shift`; without it the position, which then has z = 0.
     """
 
-    def __init__(self, space: Space, section: Section, free: Mask, position: Array) -> None:
+    def __init__(
+        self,
+        space: Space,
+        section: Section,
+        free: Mask,
+        position: Array,
+        flat: Array | None = None,
+    ) -> None:
         self.section = section
         self.assembler = shared_assembler(space, free)
         self.prescribed = position.copy()
+        self._flat = flat
         self._shift: sparse.csr_array | None = None
 
     @classmethod
@@ -106,8 +116,9 @@ class PlateProblem:
         """Return t B, acting on the deflection: it lifts all modes of the flat state alike."""
         if self._shift is None:
             space = self.assembler.space
+            flat = self.prescribed if self._flat is None else self._flat
             _, bent = plate.deflection(
-                self.section.law, self.section.bending, space.derivatives(self.prescribed)
+                self.section.law, self.section.bending, space.derivatives(flat)
             )
             blocks = [
                 np.zeros((len(self.assembler.entries(c == d)), *space.measure.shape))

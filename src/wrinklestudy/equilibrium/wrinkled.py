@@ -16,6 +16,7 @@ from wrinklestudy.equilibrium.modes import Modes
 from wrinklestudy.equilibrium.planar import Planar
 from wrinklestudy.equilibrium.problem import PlateProblem, Predicting
 from wrinklestudy.equilibrium.seeds import seed_position, seeds
+from wrinklestudy.equilibrium.thin_seeds import THIN, thin_seed
 from wrinklestudy.fem.factorisation import count_negative_eigenvalues
 from wrinklestudy.typing import Array
 from wrinklestudy.vocabulary import Status
@@ -113,7 +114,14 @@ def solve(
         return _unknown(planar, thickness)
     if thickness >= planar.modes.critical_thickness:
         return _flat(planar, planar.flat, planar.modes, thickness)
-    states = [
+    states = []
+    if thickness < THIN * planar.modes.critical_thickness:
+        start = thin_seed(planar, thickness)
+        if start is not None:
+            states.append(minimise_from(planar, thickness, start, settings, observer))
+            if states[0].status == "wrinkled":
+                return states[0]
+    states += [
         minimise_from(
             planar, thickness, seed_position(planar.flat, planar.modes, q), settings, observer
         )
