@@ -1,0 +1,117 @@
+// The map of tau_1 over strain and L/W, and the tension field.
+
+const mapOf = (sheet) => NUMBERS.maps[sheet.model] ?? null;
+const tensionOf = (sheet) => NUMBERS.tension[sheet.material] ?? [];
+
+function shades() {
+  return { colorscale: "YlGnBu", reversescale: !isDark() };
+}
+
+function aspectAxis(aspects) {
+  const [low, high] = [aspects[0], aspects[aspects.length - 1]];
+  const marks = [0.5, 0.7, 1, 1.2, 1.5, 2, 2.5, 3, 4, 6, 8, 12, 20].filter((v) => v >= low && v <= high);
+  if (high <= 2.4 * low) return axis("L/W", { range: [low, high] });
+  return axis("L/W", { type: "log", range: [Math.log10(low), Math.log10(high)],
+    tickvals: marks, ticktext: marks.map(String) });
+}
+
+function contour(strains, aspects, z, hover, title) {
+  return { type: "contour", x: strains, y: aspects, z, ...shades(), ncontours: 12,
+    contours: { coloring: "heatmap", showlabels: true, labelfont: { size: 10 } },
+    line: { width: 0.6, color: colour("ink") }, colorbar: bar(title), hovertemplate: hover };
+}
+
+function inside(values, value) {
+  return value >= values[0] - 1e-9 && value <= values[values.length - 1] + 1e-9;
+}
+
+function drawMap() {
+  const sheet = VIEW.sheet, map = mapOf(sheet), strain = sheet.states.strain[VIEW.index];
+  plot("map").hidden = map === null;
+  if (map === null) return note("map-note", "No critical thickness was computed for this material and bending law.");
+  const thickness = 1e3 * sheet.thickness;
+  const values = map.values.map((row) => scaled(row, 1e3));
+  const mark = marker([strain], [sheet.aspect], { cliponaxis: false,
+    hovertemplate: "this sheet: strain %{x:.4~g}, L/W %{y:.4~g}<extra></extra>" });
+  const range = [0, map.strains[map.strains.length - 1]];
+  if (map.aspects.length < 2) return drawCriticalCurve(map, values[0], thickness, strain);
+  const hover = "strain %{x:.4~g}<br>L/W = %{y:.4~g}<br>τ₁ = %{z:.4~g} × 10⁻³ W<extra></extra>";
+  const border = { type: "contour", x: map.strains, y: map.aspects, z: values, hoverinfo: "skip",
+    contours: { type: "constraint", operation: "=", value: thickness }, showlegend: false,
+    line: { color: colour("mark"), width: 2.5 }, showscale: false };
+  const computed = { type: "scatter", mode: "markers", hoverinfo: "skip",
+    x: map.computed.map((place) => place[0]), y: map.computed.map((place) => place[1]),
+    marker: { size: 3, color: colour("ink"), opacity: 0.55 } };
+  const traces = [contour(map.strains, map.aspects, values, hover, "10³ τ₁/W"), border, computed, mark];
+  Plotly.react(plot("map"), traces, layoutOf(axis("strain ε", { range }), aspectAxis(map.aspects)), QUIET);
+  const between = map.computed.length ? " Dots: where it was computed; between them it is interpolated." : "";
+  note("map-note", `Sheets thinner than τ₁ wrinkle. Thick line: τ₁ = t of this sheet, ${sheet.thickness} W; point: this state.${between}`);
+}
+
+// With a single L/W there is no map: the curve of that L/W.
+function drawCriticalCurve(map, values, thickness, strain) {
+  const hover = "strain %{x:.4~g}<br>τ₁ = %{y:.4~g} × 10⁻³ W<extra></extra>";
+  const traces = [
+    { type: "scatter", mode: "lines", x: map.strains, y: values, hovertemplate: hover,
+      line: { color: colour("curve"), width: 1.6 } },
+    marker([strain], [thickness], { hovertemplate: "this sheet: strain %{x:.4~g}, t = %{y:.4~g} × 10⁻³ W<extra></extra>" }),
+  ];
+  const end = map.strains[map.strains.length - 1];
+  const top = 1.1 * Math.max(thickness, ...values.map((value) => value ?? 0));
+  const line = { type: "line", x0: 0, x1: end, y0: thickness, y1: thickness,
+    line: { color: colour("mark"), width: 1.5, dash: "dash" } };
+  Plotly.react(plot("map"), traces, layoutOf(axis("strain ε", { range: [0, end] }),
+    axis("10³ τ₁/W", { range: [0, top] }), { shapes: [line] }), QUIET);
+  note("map-note", `Only L/W = ${map.aspects[0]} was computed for this material and bending law: τ₁ over strain. The sheet wrinkles where τ₁ is above its t (dashed).`);
+}
+
+function moveMap() {
+  const sheet = VIEW.sheet, map = mapOf(sheet), strain = sheet.states.strain[VIEW.index];
+  if (map === null) return;
+  moveMark("map", [strain], [map.aspects.length < 2 ? 1e3 * sheet.thickness : sheet.aspect]);
+}
+
+function drawTension() {
+  const sheet = VIEW.sheet, rows = tensionOf(sheet);
+  plot("tension").hidden = rows.length === 0;
+  if (!rows.length) return note("tension-note", "This study has no tension field of this material. The config's block tension, or wrinklestudy explore with a sheet of one's own, computes it.");
+  const aspects = distinct(rows.map((row) => row.aspect));
+  if (aspects.length > 2) return drawTensionMap(rows, aspects);
+  const aspect = nearest(aspects, sheet.aspect);
+  const own = rows.filter((row) => row.aspect === aspect);
+  const x = own.map((row) => row.strain), y = scaled(own.map((row) => row.phi_squared), 1e3);
+  const states = sheet.states, thick = scaled(states.phi_squared, 1e3);
+  const hover = (name) => `${name}: strain %{x:.4~g}<br>10³ Φ² = %{y:.4~g}<extra></extra>`;
+  const traces = [
+    { type: "scatter", mode: "lines+markers", x, y, hovertemplate: hover("t → 0"),
+      line: { color: colour("curve"), width: 1.6 }, marker: { size: 5 } },
+    { type: "scatter", mode: "lines+markers", x: states.strain, y: thick, hovertemplate: hover("this sheet"),
+      line: { color: colour("second"), width: 1.2, dash: "dash" }, marker: { size: 3 } },
+    marker([states.strain[VIEW.index]], [thick[VIEW.index]], { hovertemplate: hover("this state"), cliponaxis: false }),
+  ];
+  const top = Math.max(...y.map((v) => v ?? 0), ...thick.map((v) => v ?? 0), 1e-3);
+  Plotly.react(plot("tension"), traces, layoutOf(axis("strain ε", { range: [0, 1.02 * Math.max(...x, ...states.strain)] }),
+    axis("10³ Φ²", { range: [0, 1.1 * top] })), QUIET);
+  const other = aspect === sheet.aspect ? "" : ` It was computed for L/W = ${aspect} only.`;
+  note("tension-note", `Full line: Φ² in the limit of no thickness, the width that wrinkles hide. Dashed: this sheet, with its point.${other}`);
+}
+
+function drawTensionMap(rows, aspects) {
+  const strains = distinct(rows.map((row) => row.strain)), sheet = VIEW.sheet;
+  const at = new Map(rows.map((row) => [`${row.aspect} ${row.strain}`, row.phi_squared]));
+  const values = aspects.map((a) => scaled(strains.map((e) => at.get(`${a} ${e}`) ?? null), 1e3));
+  const hover = "strain %{x:.4~g}<br>L/W = %{y:.4~g}<br>10³ Φ² = %{z:.4~g}<extra></extra>";
+  const traces = [contour(strains, aspects, values, hover, "10³ Φ²"),
+    marker([sheet.states.strain[VIEW.index]], [sheet.aspect], { cliponaxis: false, hoverinfo: "skip" })];
+  Plotly.react(plot("tension"), traces, layoutOf(axis("strain ε", { range: [0, strains[strains.length - 1]] }),
+    aspectAxis(aspects)), QUIET);
+  note("tension-note", "Φ² in the limit of no thickness, the width that wrinkles hide. Point: this state.");
+}
+
+function moveTension() {
+  const sheet = VIEW.sheet, rows = tensionOf(sheet);
+  if (!rows.length) return;
+  const many = distinct(rows.map((row) => row.aspect)).length > 2;
+  const value = scaled([sheet.states.phi_squared[VIEW.index]], 1e3);
+  moveMark("tension", [sheet.states.strain[VIEW.index]], many ? [sheet.aspect] : value);
+}
