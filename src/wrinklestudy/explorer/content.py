@@ -105,30 +105,40 @@ def map_of_rows(model: str, rows: Sequence[MapRow]) -> ShownMap:
 
 
 def map_of_curves(
-    model: str, curves: Mapping[float, Sequence[tuple[float, float]]]
+    model: str, curves: Mapping[float, Sequence[tuple[float, float]]], largest: float
 ) -> ShownMap | None:
     """Return a map through curves tau_1(eps) that were computed at other strains for each L/W.
 
     Between the strains of a curve tau_1^2, which is smooth at zero strain too, is interpolated;
-    beyond them nothing is known.
+    beyond them tau_1 is interpolated between the nearest L/W on both sides, and not known where
+    one is missing.
 
     Parameters
     ----------
     model : str
     curves : mapping
         Pairs (strain, tau_1/W) by L/W, sorted by strain.
+    largest : float
+        Strain at which the map ends.
     """
     from scipy.interpolate import PchipInterpolator
 
     if not curves:
         return None
-    last = max(curve[-1][0] for curve in curves.values())
-    strains = np.linspace(0.0, last, _STRAINS)
+    strains = np.linspace(0.0, largest, _STRAINS)
     aspects = sorted(curves)
     values = []
     for aspect in aspects:
         known, tau = np.array([(0.0, 0.0), *curves[aspect]]).T
         squared = PchipInterpolator(known, tau**2, extrapolate=False)(strains)
         values.append(np.sqrt(np.maximum(squared, 0.0)))
-    computed = tuple((strain, aspect) for aspect in aspects for strain, _ in curves[aspect])
-    return ShownMap(model, np.array(aspects), strains, np.array(values), computed)
+    table = np.array(values)
+    for column in table.T:
+        known_here = np.isfinite(column)
+        if known_here.any():
+            lengths, here = np.array(aspects)[known_here], column[known_here]
+            column[:] = np.interp(aspects, lengths, here, left=np.nan, right=np.nan)
+    computed = tuple(
+        (strain, aspect) for aspect in aspects for strain, _ in curves[aspect] if strain <= largest
+    )
+    return ShownMap(model, np.array(aspects), strains, table, computed)

@@ -131,7 +131,8 @@ def _map(study: StudyConfig, paths: Paths, model: str) -> ShownMap | None:
         files = [paths.of("map", material=model, aspect=aspect) for aspect in aspects]
         return map_of_rows(model, [row for file in files for row in read_map(file)])
     sheets = [sheet for sheet in study.all_sheets if sheet.material == model]
-    return map_of_curves(model, _curves(paths, sheets))
+    largest = max(case.strain for sheet in sheets for case in study.cases_of(sheet))
+    return map_of_curves(model, _curves(paths, sheets), largest)
 
 
 def _curves(

@@ -63,14 +63,15 @@ def page(content: Content) -> str:
         raise ValueError("the page would have no sheet to show")
     count = sum(sheet.wrinkled for sheet in content.sheets)
     fitting = [samples for samples in SAMPLES if count * samples.letters <= _FOR_HEIGHTS]
-    scripts = "\n".join((_FOLDER / name).read_text(encoding="utf-8") for name in _SCRIPTS)
+    scripts = "\n".join(map(_text, _SCRIPTS))
     text = pages.render(
         "page.html.j2",
         _FOLDER,
         title=content.title,
         source=content.source,
         mark=Markup(_MARK),
-        style=Markup((_FOLDER / "style.css").read_text(encoding="utf-8")),
+        style=Markup(_text("style.css")),
+        before=Markup(_text("before.js")),
         plotly=Markup(get_plotlyjs()),
         script=Markup(scripts),
         numbers=htmlsafe_json_dumps(
@@ -108,6 +109,10 @@ def numbers(content: Content, samples: Samples) -> dict[str, Any]:
         },
         "tensionUnits": {name: tension_columns[name].unit for name in _TENSION_COLUMNS},
     }
+
+
+def _text(name: str) -> str:
+    return (_FOLDER / name).read_text(encoding="utf-8")
 
 
 def _sheet(shown: ShownSheet, samples: Samples) -> dict[str, Any]:

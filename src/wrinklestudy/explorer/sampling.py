@@ -27,8 +27,9 @@ class Samples:
         return 4 * -(-2 * self.along * self.across // 3)
 
 
-# What the eye sees comes first; the coarser ones are for studies with many states.
-SAMPLES = (Samples(81, 121), Samples(65, 101), Samples(49, 81), Samples(33, 61))
+# What the eye sees comes first; the coarser ones are for studies with many states. Plotly itself
+# refines surfaces of fewer than about 80 lines, which takes it longer than to draw them.
+SAMPLES = (Samples(41, 121), Samples(41, 91), Samples(41, 61), Samples(31, 41))
 
 
 def packed_shape(shape: DeformedSheet, flat: bool, samples: Samples) -> dict[str, Any]:

@@ -44,10 +44,10 @@ function stateNearest(sheet, strain) {
   return sheet.states.strain.indexOf(nearest(sheet.states.strain, strain));
 }
 
-// Draws the largest wrinkle of the sheet about as high as a twentieth of the width.
+// Draws the largest wrinkle of the sheet about as high as a twelfth of the width.
 function fittingZoom(sheet) {
   const largest = Math.max(0, ...sheet.states.amplitude_over_thickness.map((a) => a ?? 0));
-  return largest > 0 ? Math.min(250, Math.max(1, Number((0.05 / (largest * sheet.thickness)).toPrecision(1)))) : 1;
+  return largest > 0 ? Math.min(250, Math.max(1, Number((0.08 / (largest * sheet.thickness)).toPrecision(1)))) : 1;
 }
 
 function fragment() {

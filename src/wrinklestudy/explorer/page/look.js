@@ -43,7 +43,7 @@ function layoutOf(x, y, more = {}) {
     margin: { l: 48, r: 10, t: 8, b: 38 }, dragmode: false, hovermode: "closest",
     hoverlabel: { bgcolor: colour("panel"), bordercolor: colour("curve"),
       font: { color: colour("ink") } },
-    xaxis: x, yaxis: y, ...more,
+    ...(x && { xaxis: x, yaxis: y }), ...more,
   };
 }
 
@@ -51,6 +51,12 @@ function marker(x, y, more = {}) {
   return { type: "scatter", mode: "markers", x, y,
     marker: { color: colour("mark"), size: 12, symbol: "circle",
       line: { color: colour("panel"), width: 1.5 } }, ...more };
+}
+
+// A point on axes that takes no new contours to move.
+function pointShape(x, y) {
+  return { type: "circle", xsizemode: "pixel", ysizemode: "pixel", xanchor: x, yanchor: y,
+    x0: -6, x1: 6, y0: -6, y1: 6, fillcolor: colour("mark"), line: { color: colour("panel"), width: 1.5 } };
 }
 
 function note(id, text) {

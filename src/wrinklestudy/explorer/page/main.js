@@ -2,7 +2,7 @@
 
 const REDUCED = matchMedia("(prefers-reduced-motion: reduce)");
 const PAUSE = 160, SLOW_PAUSE = 1500; // ms between states
-let playing = 0;
+let playing = 0, waiting = 0;
 
 const part = (id) => document.getElementById(id);
 
@@ -31,7 +31,6 @@ function setControls() {
 function drawAll() {
   fillChoices();
   setControls();
-  drawSheet();
   Object.keys(CURVES).forEach(drawCurve);
   drawProfile();
   drawMap();
@@ -39,6 +38,22 @@ function drawAll() {
   listen();
   speak(sayState());
   writeFragment();
+  // three dimensions take longest, and everything else works without them
+  clearTimeout(waiting);
+  waiting = setTimeout(drawSheetAndListen, plot("sheet").data ? 0 : 60);
+}
+
+function drawSheetAndListen() {
+  drawSheet();
+  document.documentElement.dataset.sheet = "drawn";
+  if (!HAS_WEBGL) return;
+  plot("sheet").removeAllListeners("plotly_relayout");
+  plot("sheet").on("plotly_relayout", (change) => {
+    const eye = change["scene.camera"]?.eye;
+    if (!eye) return;
+    VIEW.eye = [eye.x, eye.y, eye.z];
+    writeFragment();
+  });
 }
 
 function moveTo(index) {
@@ -63,14 +78,6 @@ function listen() {
     element.removeAllListeners("plotly_click");
     element.on("plotly_click", (event) => moveTo(stateNearest(VIEW.sheet, event.points[0].x)));
   }
-  if (!HAS_WEBGL) return;
-  plot("sheet").removeAllListeners("plotly_relayout");
-  plot("sheet").on("plotly_relayout", (change) => {
-    const eye = change["scene.camera"]?.eye;
-    if (!eye) return;
-    VIEW.eye = [eye.x, eye.y, eye.z];
-    writeFragment();
-  });
 }
 
 function stop() {
@@ -140,7 +147,7 @@ function connect() {
   part("zoom").addEventListener("input", () => {
     VIEW.zoom = 10 ** Number(part("zoom").value);
     setControls();
-    drawSheet();
+    if (plot("sheet").data) drawSheet();
     writeFragment();
   });
   part("play").addEventListener("click", toggle);
@@ -182,7 +189,7 @@ try {
   applyTheme();
   connect();
   drawAll();
-  document.documentElement.dataset.ready = "yes";
+  document.documentElement.dataset.ready = performance.now().toFixed(0);
 } catch (error) {
   part("broken").hidden = false;
   note("broken", `This page could not be drawn (${error.message}).`);

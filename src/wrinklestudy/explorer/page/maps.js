@@ -31,8 +31,6 @@ function drawMap() {
   if (map === null) return note("map-note", "No critical thickness was computed for this material and bending law.");
   const thickness = 1e3 * sheet.thickness;
   const values = map.values.map((row) => scaled(row, 1e3));
-  const mark = marker([strain], [sheet.aspect], { cliponaxis: false,
-    hovertemplate: "this sheet: strain %{x:.4~g}, L/W %{y:.4~g}<extra></extra>" });
   const range = [0, map.strains[map.strains.length - 1]];
   if (map.aspects.length < 2) return drawCriticalCurve(map, values[0], thickness, strain);
   const hover = "strain %{x:.4~g}<br>L/W = %{y:.4~g}<br>τ₁ = %{z:.4~g} × 10⁻³ W<extra></extra>";
@@ -42,8 +40,9 @@ function drawMap() {
   const computed = { type: "scatter", mode: "markers", hoverinfo: "skip",
     x: map.computed.map((place) => place[0]), y: map.computed.map((place) => place[1]),
     marker: { size: 3, color: colour("ink"), opacity: 0.55 } };
-  const traces = [contour(map.strains, map.aspects, values, hover, "10³ τ₁/W"), border, computed, mark];
-  Plotly.react(plot("map"), traces, layoutOf(axis("strain ε", { range }), aspectAxis(map.aspects)), QUIET);
+  const traces = [contour(map.strains, map.aspects, values, hover, "10³ τ₁/W"), border, computed];
+  const shapes = [pointShape(strain, sheet.aspect)];
+  Plotly.react(plot("map"), traces, layoutOf(axis("strain ε", { range }), aspectAxis(map.aspects), { shapes }), QUIET);
   const between = map.computed.length ? " Dots: where it was computed; between them it is interpolated." : "";
   note("map-note", `Sheets thinner than τ₁ wrinkle. Thick line: τ₁ = t of this sheet, ${sheet.thickness} W; point: this state.${between}`);
 }
@@ -54,21 +53,24 @@ function drawCriticalCurve(map, values, thickness, strain) {
   const traces = [
     { type: "scatter", mode: "lines", x: map.strains, y: values, hovertemplate: hover,
       line: { color: colour("curve"), width: 1.6 } },
-    marker([strain], [thickness], { hovertemplate: "this sheet: strain %{x:.4~g}, t = %{y:.4~g} × 10⁻³ W<extra></extra>" }),
   ];
   const end = map.strains[map.strains.length - 1];
   const top = 1.1 * Math.max(thickness, ...values.map((value) => value ?? 0));
   const line = { type: "line", x0: 0, x1: end, y0: thickness, y1: thickness,
     line: { color: colour("mark"), width: 1.5, dash: "dash" } };
   Plotly.react(plot("map"), traces, layoutOf(axis("strain ε", { range: [0, end] }),
-    axis("10³ τ₁/W", { range: [0, top] }), { shapes: [line] }), QUIET);
+    axis("10³ τ₁/W", { range: [0, top] }), { shapes: [pointShape(strain, thickness), line] }), QUIET);
   note("map-note", `Only L/W = ${map.aspects[0]} was computed for this material and bending law: τ₁ over strain. The sheet wrinkles where τ₁ is above its t (dashed).`);
 }
 
 function moveMap() {
-  const sheet = VIEW.sheet, map = mapOf(sheet), strain = sheet.states.strain[VIEW.index];
-  if (map === null) return;
-  moveMark("map", [strain], [map.aspects.length < 2 ? 1e3 * sheet.thickness : sheet.aspect]);
+  if (mapOf(VIEW.sheet) !== null) movePoint("map");
+}
+
+function movePoint(id) {
+  const [{ yanchor }, ...others] = plot(id).layout.shapes;
+  const shapes = [pointShape(VIEW.sheet.states.strain[VIEW.index], yanchor), ...others];
+  Plotly.relayout(plot(id), { shapes });
 }
 
 function drawTension() {
@@ -101,10 +103,9 @@ function drawTensionMap(rows, aspects) {
   const at = new Map(rows.map((row) => [`${row.aspect} ${row.strain}`, row.phi_squared]));
   const values = aspects.map((a) => scaled(strains.map((e) => at.get(`${a} ${e}`) ?? null), 1e3));
   const hover = "strain %{x:.4~g}<br>L/W = %{y:.4~g}<br>10³ Φ² = %{z:.4~g}<extra></extra>";
-  const traces = [contour(strains, aspects, values, hover, "10³ Φ²"),
-    marker([sheet.states.strain[VIEW.index]], [sheet.aspect], { cliponaxis: false, hoverinfo: "skip" })];
-  Plotly.react(plot("tension"), traces, layoutOf(axis("strain ε", { range: [0, strains[strains.length - 1]] }),
-    aspectAxis(aspects)), QUIET);
+  const shapes = [pointShape(sheet.states.strain[VIEW.index], sheet.aspect)];
+  const layout = layoutOf(axis("strain ε", { range: [0, strains[strains.length - 1]] }), aspectAxis(aspects), { shapes });
+  Plotly.react(plot("tension"), [contour(strains, aspects, values, hover, "10³ Φ²")], layout, QUIET);
   note("tension-note", "Φ² in the limit of no thickness, the width that wrinkles hide. Point: this state.");
 }
 
@@ -112,6 +113,7 @@ function moveTension() {
   const sheet = VIEW.sheet, rows = tensionOf(sheet);
   if (!rows.length) return;
   const many = distinct(rows.map((row) => row.aspect)).length > 2;
+  if (many) return movePoint("tension");
   const value = scaled([sheet.states.phi_squared[VIEW.index]], 1e3);
-  moveMark("tension", [sheet.states.strain[VIEW.index]], many ? [sheet.aspect] : value);
+  moveMark("tension", [sheet.states.strain[VIEW.index]], value);
 }

@@ -7,7 +7,6 @@ const CURVES = {
   force: { column: "nominal_stress_pa", axis: "F/(W t) (kPa)", unit: "kPa", name: "F/(W t)", factor: 1e-3 },
 };
 const EYE = { x: 0.35, y: -1.75, z: 1.15 };
-const MARK = 0; // the trace that moves is always the last: data.length - 1 - MARK
 
 const plot = (id) => document.getElementById(id);
 const scaled = (values, factor = 1) => values.map((value) => (value === null ? null : factor * value));
@@ -60,8 +59,7 @@ function moveCurve(id) {
 }
 
 function moveMark(id, x, y) {
-  const traces = plot(id).data;
-  if (traces) Plotly.restyle(plot(id), { x: [x], y: [y] }, [traces.length - 1 - MARK]);
+  Plotly.restyle(plot(id), { x: [x], y: [y] }, [plot(id).data.length - 1]); // it is the last trace
 }
 
 function drawProfile() {
@@ -115,8 +113,8 @@ function drawSheet() {
   const trace = {
     type: "surface", x: surface.x, y: surface.y, z: lifted(surface), surfacecolor: surface.z,
     cmin: -top, cmax: top, colorscale: DIVERGING, colorbar: bar("z/t"), showscale: true,
-    lighting: { ambient: 0.45, diffuse: 0.75, specular: 0.25, roughness: 0.45, fresnel: 0.1 },
-    lightposition: { x: -400, y: -1200, z: 900 }, contours: { x: { highlight: false },
+    lighting: { ambient: 0.6, diffuse: 0.55, specular: 0.2, roughness: 0.5, fresnel: 0.1 },
+    lightposition: { x: -1000, y: -4000, z: 6000 }, contours: { x: { highlight: false },
       y: { highlight: false }, z: { highlight: false } },
     customdata: surface.z,
     hovertemplate: "x = %{x:.3f} W<br>y = %{y:.3f} W<br>z = %{customdata:.3f} t<extra></extra>",
@@ -124,7 +122,7 @@ function drawSheet() {
   const height = Math.max(0.12, 1.1 * VIEW.zoom * top * sheet.thickness);
   const hidden = { visible: false, showspikes: false };
   const longest = Math.max(2 * half, 1.04);
-  const ratio = (length) => (1.9 * length) / longest;
+  const ratio = (length) => (2.75 * length) / longest;
   const eye = VIEW.eye ? { x: VIEW.eye[0], y: VIEW.eye[1], z: VIEW.eye[2] } : EYE;
   const scene = {
     xaxis: { ...hidden, range: [-half, half] }, yaxis: { ...hidden, range: [-0.52, 0.52] },
@@ -132,7 +130,7 @@ function drawSheet() {
     aspectratio: { x: ratio(2 * half), y: ratio(1.04), z: ratio(2 * height) },
     camera: { eye, center: { x: 0, y: 0, z: -0.1 }, projection: { type: "orthographic" } }, dragmode: "turntable",
   };
-  const layout = layoutOf(undefined, undefined, { scene, margin: { l: 0, r: 0, t: 0, b: 0 } });
+  const layout = layoutOf(null, null, { scene, margin: { l: 0, r: 0, t: 0, b: 0 } });
   Plotly.react(plot("sheet"), [trace], layout, { ...QUIET, scrollZoom: true });
   sayOfSheet();
 }
@@ -157,7 +155,8 @@ function drawFromAbove() {
 }
 
 function moveSheet() {
-  if (!HAS_WEBGL || !plot("sheet").data) return drawSheet();
+  if (!plot("sheet").data) return; // it is drawn a little later than all else
+  if (!HAS_WEBGL) return drawSheet();
   const surface = surfaceOf(VIEW.sheet, VIEW.index) ?? { x: [[]], y: [[]], z: [[]] };
   Plotly.restyle(plot("sheet"), { x: [surface.x], y: [surface.y], z: [lifted(surface)],
     surfacecolor: [surface.z], customdata: [surface.z] }, [0]);
