@@ -1,13 +1,12 @@
 """What a page shows: sheets with the shapes of their states, maps of tau_1, tension fields."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from wrinklestudy.metrics.interpolant import DeformedSheet
-from wrinklestudy.results.maps import MapRow
 from wrinklestudy.results.sheets import SheetStates
 from wrinklestudy.results.tension import TensionRow
 from wrinklestudy.typing import Array
@@ -91,13 +90,18 @@ class Content:
     first: int = 0
 
 
-def map_of_rows(model: str, rows: Sequence[MapRow]) -> ShownMap:
-    """Return the map of one model from the rows of its tables: of both parities the larger."""
+def map_of_points(model: str, points: Iterable[tuple[float, float, float | None]]) -> ShownMap:
+    """Return the map of one model from points of both parities, of which the larger counts.
+
+    Parameters
+    ----------
+    model : str
+    points : iterable of (L/W, strain, tau_1/W or None)
+    """
     largest: dict[tuple[float, float], float] = {}
-    for row in rows:
-        value = math.nan if row.critical_thickness is None else row.critical_thickness
-        place = row.aspect, row.strain
-        largest[place] = float(np.fmax(largest.get(place, math.nan), value))
+    for aspect, strain, tau in points:
+        before = largest.get((aspect, strain), math.nan)
+        largest[aspect, strain] = float(np.fmax(before, math.nan if tau is None else tau))
     aspects = sorted({aspect for aspect, _ in largest})
     strains = sorted({strain for _, strain in largest})
     values = [[largest.get((aspect, strain), math.nan) for strain in strains] for aspect in aspects]
@@ -110,8 +114,8 @@ def map_of_curves(
     """Return a map through curves tau_1(eps) that were computed at other strains for each L/W.
 
     Between the strains of a curve tau_1^2, which is smooth at zero strain too, is interpolated;
-    beyond them tau_1 is interpolated between the nearest L/W on both sides, and not known where
-    one is missing.
+    beyond them tau_1 follows that of the nearest L/W on both sides, and is not known where one is
+    missing.
 
     Parameters
     ----------
@@ -132,13 +136,30 @@ def map_of_curves(
         known, tau = np.array([(0.0, 0.0), *curves[aspect]]).T
         squared = PchipInterpolator(known, tau**2, extrapolate=False)(strains)
         values.append(np.sqrt(np.maximum(squared, 0.0)))
-    table = np.array(values)
-    for column in table.T:
-        known_here = np.isfinite(column)
-        if known_here.any():
-            lengths, here = np.array(aspects)[known_here], column[known_here]
-            column[:] = np.interp(aspects, lengths, here, left=np.nan, right=np.nan)
+    table = _continued(np.array(aspects), np.array(values))
     computed = tuple(
         (strain, aspect) for aspect in aspects for strain, _ in curves[aspect] if strain <= largest
     )
     return ShownMap(model, np.array(aspects), strains, table, computed)
+
+
+def _continued(aspects: Array, values: Array) -> Array:
+    """Return a map whose rows go on beyond their last strain in proportion to those around them."""
+    filled = values.copy()
+    for k in range(1, len(aspects) - 1):
+        others = np.arange(len(aspects)) != k
+        around = np.array(
+            [_between(aspects[k], aspects[others], column[others]) for column in values.T]
+        )
+        last = int(np.flatnonzero(np.isfinite(values[k]))[-1])
+        if around[last] > 0.0:
+            filled[k, last + 1 :] = around[last + 1 :] * values[k, last] / around[last]
+    return filled
+
+
+def _between(aspect: float, aspects: Array, values: Array) -> float:
+    """Return a value between the nearest known ones, NaN where there is none on one side."""
+    known = np.isfinite(values)
+    if not known.any():
+        return math.nan
+    return float(np.interp(aspect, aspects[known], values[known], left=math.nan, right=math.nan))

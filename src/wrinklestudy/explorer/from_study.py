@@ -9,7 +9,7 @@ from wrinklestudy.explorer.content import (
     ShownMap,
     ShownSheet,
     map_of_curves,
-    map_of_rows,
+    map_of_points,
 )
 from wrinklestudy.files.storage import read_json
 from wrinklestudy.mechanics.laws import Material, describe, law_of
@@ -129,7 +129,10 @@ def _map(study: StudyConfig, paths: Paths, model: str) -> ShownMap | None:
     aspects = [aspect for name, aspect in study.maps if name == model]
     if aspects:
         files = [paths.of("map", material=model, aspect=aspect) for aspect in aspects]
-        return map_of_rows(model, [row for file in files for row in read_map(file)])
+        rows = [row for file in files for row in read_map(file)]
+        return map_of_points(
+            model, ((row.aspect, row.strain, row.critical_thickness) for row in rows)
+        )
     sheets = [sheet for sheet in study.all_sheets if sheet.material == model]
     largest = max(case.strain for sheet in sheets for case in study.cases_of(sheet))
     return map_of_curves(model, _curves(paths, sheets), largest)

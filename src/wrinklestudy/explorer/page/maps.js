@@ -7,22 +7,22 @@ function shades() {
   return { colorscale: "YlGnBu", reversescale: !isDark() };
 }
 
-function aspectAxis(aspects) {
+// Where L/W varies much its axis is that of the logarithm: points on it keep their size that way.
+function aspectScale(aspects) {
   const [low, high] = [aspects[0], aspects[aspects.length - 1]];
-  const marks = [0.5, 0.7, 1, 1.2, 1.5, 2, 2.5, 3, 4, 6, 8, 12, 20].filter((v) => v >= low && v <= high);
-  if (high <= 2.4 * low) return axis("L/W", { range: [low, high] });
-  return axis("L/W", { type: "log", range: [Math.log10(low), Math.log10(high)],
-    tickvals: marks, ticktext: marks.map(String) });
+  if (high <= 2.4 * low) return { at: (v) => v, axis: axis("L/W", { range: [low, high] }) };
+  const ticks = [0.5, 0.7, 1, 1.2, 1.5, 2, 2.5, 3, 4, 6, 8, 12, 20].filter((v) => v >= low && v <= high);
+  return { at: Math.log10, axis: axis("L/W", { range: [low, high].map(Math.log10),
+    tickvals: ticks.map(Math.log10), ticktext: ticks.map(String) }) };
 }
 
-function contour(strains, aspects, z, hover, title) {
-  return { type: "contour", x: strains, y: aspects, z, ...shades(), ncontours: 12,
+function contour(strains, aspects, z, symbol, unit, title) {
+  const scale = aspectScale(aspects);
+  return { type: "contour", x: strains, y: aspects.map(scale.at), z, ...shades(), ncontours: 12,
+    text: aspects.map((aspect) => strains.map(() => String(aspect))),
     contours: { coloring: "heatmap", showlabels: true, labelfont: { size: 10 } },
-    line: { width: 0.6, color: colour("ink") }, colorbar: bar(title), hovertemplate: hover };
-}
-
-function inside(values, value) {
-  return value >= values[0] - 1e-9 && value <= values[values.length - 1] + 1e-9;
+    line: { width: 0.6, color: colour("ink") }, colorbar: bar(title),
+    hovertemplate: `strain %{x:.4~g}<br>L/W = %{text}<br>${symbol} = %{z:.4~g} ${unit}<extra></extra>` };
 }
 
 function drawMap() {
@@ -33,16 +33,16 @@ function drawMap() {
   const values = map.values.map((row) => scaled(row, 1e3));
   const range = [0, map.strains[map.strains.length - 1]];
   if (map.aspects.length < 2) return drawCriticalCurve(map, values[0], thickness, strain);
-  const hover = "strain %{x:.4~g}<br>L/W = %{y:.4~g}<br>τ₁ = %{z:.4~g} × 10⁻³ W<extra></extra>";
-  const border = { type: "contour", x: map.strains, y: map.aspects, z: values, hoverinfo: "skip",
+  const scale = aspectScale(map.aspects);
+  const border = { type: "contour", x: map.strains, y: map.aspects.map(scale.at), z: values, hoverinfo: "skip",
     contours: { type: "constraint", operation: "=", value: thickness }, showlegend: false,
     line: { color: colour("mark"), width: 2.5 }, showscale: false };
   const computed = { type: "scatter", mode: "markers", hoverinfo: "skip",
-    x: map.computed.map((place) => place[0]), y: map.computed.map((place) => place[1]),
+    x: map.computed.map((place) => place[0]), y: map.computed.map((place) => scale.at(place[1])),
     marker: { size: 3, color: colour("ink"), opacity: 0.55 } };
-  const traces = [contour(map.strains, map.aspects, values, hover, "10³ τ₁/W"), border, computed];
-  const shapes = [pointShape(strain, sheet.aspect)];
-  Plotly.react(plot("map"), traces, layoutOf(axis("strain ε", { range }), aspectAxis(map.aspects), { shapes }), QUIET);
+  const traces = [contour(map.strains, map.aspects, values, "τ₁", "× 10⁻³ W", "10³ τ₁/W"), border, computed];
+  const shapes = [pointShape(strain, scale.at(sheet.aspect))];
+  Plotly.react(plot("map"), traces, layoutOf(axis("strain ε", { range }), scale.axis, { shapes }), QUIET);
   const between = map.computed.length ? " Dots: where it was computed; between them it is interpolated." : "";
   note("map-note", `Sheets thinner than τ₁ wrinkle. Thick line: τ₁ = t of this sheet, ${sheet.thickness} W; point: this state.${between}`);
 }
@@ -102,10 +102,10 @@ function drawTensionMap(rows, aspects) {
   const strains = distinct(rows.map((row) => row.strain)), sheet = VIEW.sheet;
   const at = new Map(rows.map((row) => [`${row.aspect} ${row.strain}`, row.phi_squared]));
   const values = aspects.map((a) => scaled(strains.map((e) => at.get(`${a} ${e}`) ?? null), 1e3));
-  const hover = "strain %{x:.4~g}<br>L/W = %{y:.4~g}<br>10³ Φ² = %{z:.4~g}<extra></extra>";
-  const shapes = [pointShape(sheet.states.strain[VIEW.index], sheet.aspect)];
-  const layout = layoutOf(axis("strain ε", { range: [0, strains[strains.length - 1]] }), aspectAxis(aspects), { shapes });
-  Plotly.react(plot("tension"), [contour(strains, aspects, values, hover, "10³ Φ²")], layout, QUIET);
+  const scale = aspectScale(aspects);
+  const shapes = [pointShape(sheet.states.strain[VIEW.index], scale.at(sheet.aspect))];
+  const layout = layoutOf(axis("strain ε", { range: [0, strains[strains.length - 1]] }), scale.axis, { shapes });
+  Plotly.react(plot("tension"), [contour(strains, aspects, values, "10³ Φ²", "", "10³ Φ²")], layout, QUIET);
   note("tension-note", "Φ² in the limit of no thickness, the width that wrinkles hide. Point: this state.");
 }
 

@@ -6,7 +6,7 @@ const CURVES = {
   phi: { column: "phi_squared", axis: "10³ Φ²", unit: "", name: "10³ Φ²", factor: 1e3 },
   force: { column: "nominal_stress_pa", axis: "F/(W t) (kPa)", unit: "kPa", name: "F/(W t)", factor: 1e-3 },
 };
-const EYE = { x: 0.35, y: -1.75, z: 1.15 };
+const EYE = { x: 0.4, y: -1.9, z: 0.95 };
 
 const plot = (id) => document.getElementById(id);
 const scaled = (values, factor = 1) => values.map((value) => (value === null ? null : factor * value));
@@ -113,8 +113,8 @@ function drawSheet() {
   const trace = {
     type: "surface", x: surface.x, y: surface.y, z: lifted(surface), surfacecolor: surface.z,
     cmin: -top, cmax: top, colorscale: DIVERGING, colorbar: bar("z/t"), showscale: true,
-    lighting: { ambient: 0.6, diffuse: 0.55, specular: 0.2, roughness: 0.5, fresnel: 0.1 },
-    lightposition: { x: -1000, y: -4000, z: 6000 }, contours: { x: { highlight: false },
+    lighting: { ambient: 0.92, diffuse: 0.75, specular: 0.15, roughness: 0.6, fresnel: 0.1 },
+    lightposition: { x: -2000, y: -9000, z: 5000 }, contours: { x: { highlight: false },
       y: { highlight: false }, z: { highlight: false } },
     customdata: surface.z,
     hovertemplate: "x = %{x:.3f} W<br>y = %{y:.3f} W<br>z = %{customdata:.3f} t<extra></extra>",
@@ -122,7 +122,9 @@ function drawSheet() {
   const height = Math.max(0.12, 1.1 * VIEW.zoom * top * sheet.thickness);
   const hidden = { visible: false, showspikes: false };
   const longest = Math.max(2 * half, 1.04);
-  const ratio = (length) => (2.75 * length) / longest;
+  const box = plot("sheet").getBoundingClientRect(); // the view is as high as the plot, however wide
+  const size = Math.min(3.5, (2 * (box.width - 80)) / (box.height || 1));
+  const ratio = (length) => (size * length) / longest;
   const eye = VIEW.eye ? { x: VIEW.eye[0], y: VIEW.eye[1], z: VIEW.eye[2] } : EYE;
   const scene = {
     xaxis: { ...hidden, range: [-half, half] }, yaxis: { ...hidden, range: [-0.52, 0.52] },
@@ -130,7 +132,7 @@ function drawSheet() {
     aspectratio: { x: ratio(2 * half), y: ratio(1.04), z: ratio(2 * height) },
     camera: { eye, center: { x: 0, y: 0, z: -0.1 }, projection: { type: "orthographic" } }, dragmode: "turntable",
   };
-  const layout = layoutOf(null, null, { scene, margin: { l: 0, r: 0, t: 0, b: 0 } });
+  const layout = layoutOf(null, null, { scene, margin: { l: 0, r: 12, t: 0, b: 0 } });
   Plotly.react(plot("sheet"), [trace], layout, { ...QUIET, scrollZoom: true });
   sayOfSheet();
 }
