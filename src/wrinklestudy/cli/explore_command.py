@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 from wrinklestudy.cli.map_command import LARGER, MapTask, check_memory, computed
 from wrinklestudy.cli.output import Answer
 from wrinklestudy.cli.outputs import add_overwrite, planned, write
+from wrinklestudy.cli.sentences import failures
+from wrinklestudy.cli.shaped_states import add_strains, bare, given_strains, shaped_states
 from wrinklestudy.cli.sheet_options import GivenSize, add_sheet, given_size, mesh_settings, sheet
-from wrinklestudy.cli.shaped_states import add_strains, given_strains, shaped_states
 from wrinklestudy.cli.solving import kept, solve_all
 from wrinklestudy.vocabulary import ASPECT
 
@@ -54,9 +55,7 @@ def run(arguments: argparse.Namespace) -> Answer:
         raise ValueError("--output: missing; the page to write, such as explorer.html")
     path = Path(arguments.output).expanduser()
     own = path.is_file() and is_page(path)  # a page of before is replaced without a word
-    (file,) = planned(
-        "--output", arguments.output, (".html",), arguments.overwrite or own, [""]
-    )
+    (file,) = planned("--output", arguments.output, (".html",), arguments.overwrite or own, [""])
     assert file is not None
     content = _content_of_study(arguments) if _is_study(arguments) else _content_of_sheet(arguments)
     write(file, lambda path: write_page(content, path))
@@ -67,20 +66,11 @@ def run(arguments: argparse.Namespace) -> Answer:
         "states": len(states),
         "bytes": file.stat().st_size,
     }
-    text = (
-        f"{file}: {values['sheets']} sheets, {values['states']} states, "
-        f"{file.stat().st_size / 1e6:.1f} MB\n"
-    )
-    failures = () if _is_study(arguments) else tuple(_failures(states))
-    return Answer(values, text, failures)
-
-
-def _failures(states: Sequence[Any]) -> list[str]:
-    return [
-        f"strain {row.strain:.6g} did not converge: {row.reason}"
-        for row in states
-        if row.status == "not-converged"
-    ]
+    size = f"{file.stat().st_size / 1e6:.1f} MB"
+    count = "1 sheet" if len(content.sheets) == 1 else f"{len(content.sheets)} sheets"
+    text = f"{file}: {count}, {len(states)} states, {size}\n"
+    missing = () if _is_study(arguments) else tuple(failures([row.shown() for row in states]))
+    return Answer(values, text, missing)
 
 
 def _is_study(arguments: argparse.Namespace) -> bool:
@@ -159,7 +149,7 @@ def _map(
 
 
 def _tension(chosen: "Sheet", largest: float, jobs: int) -> "list[TensionRow]":
-    tasks = [_FieldTask(chosen, strain) for strain in _strains(_TENSION_STRAINS, largest)]
+    tasks = [_FieldTask(bare(chosen), strain) for strain in _strains(_TENSION_STRAINS, largest)]
     return [values["row"] for values in solve_all(_field, tasks, jobs)]
 
 

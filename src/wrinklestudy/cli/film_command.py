@@ -5,8 +5,9 @@ import argparse
 from wrinklestudy.cli.numbers import whole_number
 from wrinklestudy.cli.output import Answer
 from wrinklestudy.cli.outputs import add_overwrite, planned, write
-from wrinklestudy.cli.sheet_options import add_sheet, given_size, sheet
+from wrinklestudy.cli.sentences import failures
 from wrinklestudy.cli.shaped_states import add_strains, given_strains, shaped_states
+from wrinklestudy.cli.sheet_options import add_sheet, given_size, sheet
 from wrinklestudy.cli.solving import pictured_sheet
 from wrinklestudy.vocabulary import Limits
 
@@ -46,11 +47,6 @@ def run(arguments: argparse.Namespace) -> Answer:
     pictured = pictured_sheet(chosen, size)
     write(file, lambda path: write_film(pictured, states, shapes, path))
     shown = sum(shape is not None for shape in shapes)
-    failures = [
-        f"strain {row.strain:.6g} did not converge: {row.reason}"
-        for row in states.states
-        if row.status == "not-converged"
-    ]
     values = {"output": str(file), "frames": shown, "bytes": file.stat().st_size}
     text = f"{file}: {shown} strains, {file.stat().st_size / 1e6:.1f} MB\n"
-    return Answer(values, text, tuple(failures))
+    return Answer(values, text, tuple(failures([row.shown() for row in states.states])))

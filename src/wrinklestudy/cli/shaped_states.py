@@ -2,7 +2,7 @@
 
 import argparse
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from wrinklestudy.cli.numbers import numbers, values_within, whole_number
@@ -83,12 +83,22 @@ def shaped_states(
     announce(chosen, jobs=min(jobs, count if strains is None else len(strains)))
     limits = chosen.stability(report_critical)
     strains = default_strains(limits, count) if strains is None else strains
-    solved = solve_all(solve_shaped, [ShapedTask(chosen, strain) for strain in strains], jobs)
+    tasks = [ShapedTask(bare(chosen), strain) for strain in strains]
+    solved = solve_all(solve_shaped, tasks, jobs)
     rows = tuple(values["row"] for values in solved)
     identity = {name: getattr(rows[0], name) for name in columns(SheetIdentity)}
     unstable = make_row(StabilityRow, vars(limits) | identity, "sheet", "row")
     states = SheetStates(sheet_row(unstable, rows), rows)
     return states, tuple(values["shape"] for values in solved)
+
+
+def bare(chosen: "Sheet") -> "Sheet":
+    """Return an equal sheet without its mesh, for tasks: a mesh cannot go to other processes.
+
+    In this process the mesh of the sheet given serves them all.
+    """
+    kept(chosen)
+    return replace(chosen)
 
 
 def solve_shaped(task: ShapedTask, observer: "Observer | None" = None) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from matplotlib.animation import FFMpegWriter, MovieWriter, PillowWriter
+from matplotlib.animation import FFMpegWriter, PillowWriter
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -24,6 +24,7 @@ _PER_SECOND = 8
 _DPI = 110
 _SIZE = (16.0, 13.0)  # cm
 _SAMPLES = (200, 360)  # of the sheet, about that many along and across
+_HIGHER = 2.0  # wrinkles are drawn than in pictures of one state
 _ROOM = 1.2  # of the axes over what they hold
 
 
@@ -76,9 +77,7 @@ def write_film(
     """
     check_writer(output)
     frames = [
-        (row, shape)
-        for row, shape in zip(states.states, shapes, strict=True)
-        if shape is not None
+        (row, shape) for row, shape in zip(states.states, shapes, strict=True) if shape is not None
     ]
     if not frames:
         raise ValueError(f"{states.label}: no state converged, there is nothing to show")
@@ -93,7 +92,7 @@ def write_film(
                 writer.grab_frame()
 
 
-def _writer(output: Path) -> MovieWriter:
+def _writer(output: Path) -> FFMpegWriter | PillowWriter:
     return FFMpegWriter(_PER_SECOND) if output.suffix == ".mp4" else PillowWriter(_PER_SECOND)
 
 
@@ -101,9 +100,10 @@ def _prepared(states: SheetStates, frames: Sequence[tuple[StateRow, DeformedShee
     """Return axes with a scale that all frames share."""
     largest = max(row.amplitude_over_thickness or 0.0 for row, _ in frames)
     limit = max(largest, 0.1) * states.thickness
-    view = ObliqueView(exaggeration(limit) if largest > 0.0 else 1.0, limit)
+    view = ObliqueView(exaggeration(limit / _HIGHER) if largest > 0.0 else 1.0, limit)
     figure = style.new(*_SIZE)
-    above, below = figure.subfigures(2, 1, height_ratios=[1.5, 1.0])
+    places = figure.add_gridspec(2, 1, height_ratios=[1.5, 1.0])
+    above, below = figure.add_subfigure(places[0]), figure.add_subfigure(places[1])
     sheet = above.add_subplot()
     profile, amplitude = below.subplots(1, 2)
     drawn = _Axes(figure, sheet, profile, amplitude, view)

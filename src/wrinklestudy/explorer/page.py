@@ -25,9 +25,7 @@ _SCRIPTS = ("numbers.js", "choice.js", "look.js", "plots.js", "maps.js", "words.
 _MARK = '<meta name="generator" content="wrinklestudy explore">'
 # What of a state the page shows or offers for download besides its texts.
 _STATE_COLUMNS = tuple(
-    name
-    for name, column in columns(StateRow).items()
-    if not column.identifies or name == "strain"
+    name for name, column in columns(StateRow).items() if not column.identifies or name == "strain"
 )
 _TENSION_COLUMNS = ("strain", "status", "phi_squared", "phi_squared_error", "nominal_stress_pa")
 
