@@ -6,6 +6,8 @@ const CURVES = {
   phi: { column: "phi_squared", axis: "10³ Φ²", unit: "", name: "10³ Φ²", factor: 1e3 },
   force: { column: "nominal_stress_pa", axis: "F/(W t) (kPa)", unit: "kPa", name: "F/(W t)", factor: 1e-3 },
 };
+// What a hole has in place of a surface: it is not drawn.
+const NOTHING = { x: [[0, 0], [1, 1]], y: [[0, 1], [0, 1]], z: [[0, 0], [0, 0]] };
 const EYE = { x: 0.4, y: -1.9, z: 0.95 };
 
 const plot = (id) => document.getElementById(id);
@@ -109,9 +111,9 @@ function lifted(surface) {
 function drawSheet() {
   if (!HAS_WEBGL) return drawFromAbove();
   const sheet = VIEW.sheet, top = heightScale(), half = 0.5 * sheet.aspect * lastStrainOf(sheet);
-  const surface = surfaceOf(sheet, VIEW.index) ?? { x: [], y: [], z: [] };
+  const surface = surfaceOf(sheet, VIEW.index) ?? NOTHING;
   const trace = {
-    type: "surface", x: surface.x, y: surface.y, z: lifted(surface), surfacecolor: surface.z,
+    type: "surface", visible: surface !== NOTHING, x: surface.x, y: surface.y, z: lifted(surface), surfacecolor: surface.z,
     cmin: -top, cmax: top, colorscale: DIVERGING, colorbar: bar("z/t"), showscale: true,
     lighting: { ambient: 0.92, diffuse: 0.75, specular: 0.15, roughness: 0.6, fresnel: 0.1 },
     lightposition: { x: -2000, y: -9000, z: 5000 }, contours: { x: { highlight: false },
@@ -159,8 +161,8 @@ function drawFromAbove() {
 function moveSheet() {
   if (!plot("sheet").data) return; // it is drawn a little later than all else
   if (!HAS_WEBGL) return drawSheet();
-  const surface = surfaceOf(VIEW.sheet, VIEW.index) ?? { x: [[]], y: [[]], z: [[]] };
-  Plotly.restyle(plot("sheet"), { x: [surface.x], y: [surface.y], z: [lifted(surface)],
+  const surface = surfaceOf(VIEW.sheet, VIEW.index) ?? NOTHING;
+  Plotly.restyle(plot("sheet"), { visible: surface !== NOTHING, x: [surface.x], y: [surface.y], z: [lifted(surface)],
     surfacecolor: [surface.z], customdata: [surface.z] }, [0]);
   sayOfSheet();
 }
