@@ -92,9 +92,10 @@ def _needed(study: StudyConfig, paths: Paths) -> Iterator[str]:
 
 
 def _refuse_missing(study: StudyConfig, paths: Paths, source: str) -> None:
-    missing = [file for file in _needed(study, paths) if not Path(file).is_file()]
+    needed = dict.fromkeys(_needed(study, paths))
+    missing = [file for file in needed if not Path(file).is_file()]
     if missing:
-        others = f" and {len(missing) - 1} other files are" if missing[1:] else " is"
+        others = f" and {len(missing) - 1} more are" if missing[1:] else " is"
         raise ValueError(
             f"{source}: {missing[0]}{others} missing; run the study first (make figures, make "
             "beyond or snakemake)"
