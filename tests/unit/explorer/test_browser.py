@@ -369,9 +369,14 @@ def test_print_is_dark_on_white_without_controls(page):
     assert page.locator("#play").is_hidden()
     ink = page.evaluate("document.getElementById('amplitude').layout.font.color")
     assert ink == "#1a1a1a"
+    clipped = """[...document.querySelectorAll(".plot:not([hidden])")].filter((plot) =>
+        plot.scrollWidth > plot.clientWidth || plot.clientWidth > 710)"""
+    assert page.evaluate(f"{clipped}.map((plot) => plot.id)") == []
     page.emulate_media(media="screen")
     page.evaluate("dispatchEvent(new Event('afterprint'))")
     assert page.evaluate("document.documentElement.dataset.theme ?? ''") == ""
+    wide = "document.getElementById('profile').getBoundingClientRect().width > 1000"
+    assert page.evaluate(wide)
 
 
 def test_names_that_look_like_markup_are_text(pages, hostile, tmp_path):

@@ -44,10 +44,16 @@ function stateNearest(sheet, strain) {
   return sheet.states.strain.indexOf(nearest(sheet.states.strain, strain));
 }
 
+// Largest |z|/t of all states of a sheet; long sheets have their highest wrinkles off the mid-line.
+function largestHeight(sheet) {
+  const { amplitude_over_thickness: middle, sheet_amplitude_over_thickness: all } = sheet.states;
+  return Math.max(0, ...middle.map((a) => a ?? 0), ...all.map((a) => a ?? 0));
+}
+
 // Draws the largest wrinkle of the sheet about as high as a twelfth of the width.
 function fittingZoom(sheet) {
-  const largest = Math.max(0, ...sheet.states.amplitude_over_thickness.map((a) => a ?? 0));
-  return largest > 0 ? Math.min(250, Math.max(1, Number((0.08 / (largest * sheet.thickness)).toPrecision(1)))) : 1;
+  const height = largestHeight(sheet) * sheet.thickness;
+  return height > 0 ? Math.min(250, Math.max(1, Number((0.08 / height).toPrecision(1)))) : 1;
 }
 
 function fragment() {

@@ -23,8 +23,8 @@ function fillChoices() {
 function setControls() {
   part("strain").value = VIEW.index;
   part("zoom").value = Math.log10(VIEW.zoom);
-  note("zoom-value", `× ${VIEW.zoom.toPrecision(2).replace(/\.0$/, "")}`);
-  part("zoom").setAttribute("aria-valuetext", `${VIEW.zoom.toPrecision(2)} times`);
+  note("zoom-value", `× ${digits(VIEW.zoom, 2)}`);
+  part("zoom").setAttribute("aria-valuetext", `${digits(VIEW.zoom, 2)} times`);
   part("zoom").closest(".inner").hidden = !HAS_WEBGL;
 }
 
@@ -141,6 +141,30 @@ function redrawn(theme) {
   drawAll();
 }
 
+// What is printed is dark on white, and as wide as the paper.
+let themeBefore = null;
+
+function startPrint() {
+  if (themeBefore !== null) return;
+  if (playing) stop();
+  themeBefore = VIEW.theme;
+  document.documentElement.classList.add("printing");
+  redrawn("light");
+  clearTimeout(waiting);
+  drawSheetAndListen();
+  document.querySelectorAll(".plot").forEach((element) => {
+    const { clientWidth: width, clientHeight: height } = element;
+    if (element.data && width) Plotly.relayout(element, { width, height });
+  });
+}
+
+function endPrint() {
+  if (themeBefore === null) return;
+  document.documentElement.classList.remove("printing");
+  redrawn(themeBefore);
+  themeBefore = null;
+}
+
 function connect() {
   LEVELS.forEach((level) => part(level).addEventListener("change", choose));
   part("strain").addEventListener("input", () => moveTo(Number(part("strain").value)));
@@ -173,15 +197,8 @@ function connect() {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
     if (!VIEW.theme) redrawn("");
   });
-  let before = null; // what is printed is dark on white
-  addEventListener("beforeprint", () => {
-    before ??= VIEW.theme;
-    if (isDark()) redrawn("light");
-  });
-  addEventListener("afterprint", () => {
-    if (before !== null && before !== VIEW.theme) redrawn(before);
-    before = null;
-  });
+  addEventListener("beforeprint", startPrint);
+  addEventListener("afterprint", endPrint);
 }
 
 try {

@@ -92,11 +92,6 @@ function moveProfile() {
 
 const DIVERGING = [[0, "#2f63b8"], [0.25, "#8fb3e8"], [0.5, "#dedede"], [0.75, "#eea184"], [1, "#b8352f"]];
 
-function heightScale() {
-  return Math.max(0.01, ...VIEW.sheet.states.sheet_amplitude_over_thickness.map((a) => a ?? 0),
-    ...VIEW.sheet.states.amplitude_over_thickness.map((a) => a ?? 0));
-}
-
 function bar(title) {
   return { title: { text: title, side: "top", font: { size: 12 } }, thickness: 10, len: 0.85,
     outlinewidth: 0, tickfont: { color: colour("ink") }, nticks: 6 };
@@ -110,7 +105,7 @@ function lifted(surface) {
 
 function drawSheet() {
   if (!HAS_WEBGL) return drawFromAbove();
-  const sheet = VIEW.sheet, top = heightScale(), half = 0.5 * sheet.aspect * lastStrainOf(sheet);
+  const sheet = VIEW.sheet, top = Math.max(0.01, largestHeight(sheet)), half = 0.5 * sheet.aspect * lastStrainOf(sheet);
   const surface = surfaceOf(sheet, VIEW.index) ?? NOTHING;
   const trace = {
     type: "surface", visible: surface !== NOTHING, x: surface.x, y: surface.y, z: lifted(surface), surfacecolor: surface.z,
@@ -134,7 +129,7 @@ function drawSheet() {
     aspectratio: { x: ratio(2 * half), y: ratio(1.04), z: ratio(2 * height) },
     camera: { eye, center: { x: 0, y: 0, z: -0.1 }, projection: { type: "orthographic" } }, dragmode: "turntable",
   };
-  const layout = layoutOf(null, null, { scene, margin: { l: 0, r: 12, t: 0, b: 0 } });
+  const layout = layoutOf(null, null, { scene, margin: { l: 0, r: 64, t: 0, b: 0 } });
   Plotly.react(plot("sheet"), [trace], layout, { ...QUIET, scrollZoom: true });
   sayOfSheet();
 }
@@ -145,7 +140,7 @@ function lastStrainOf(sheet) {
 
 // Where there is no WebGL: height as colour, on the undeformed sheet.
 function drawFromAbove() {
-  const sheet = VIEW.sheet, top = heightScale(), surface = surfaceOf(sheet, VIEW.index);
+  const sheet = VIEW.sheet, top = Math.max(0.01, largestHeight(sheet)), surface = surfaceOf(sheet, VIEW.index);
   const rows = surface?.z.length ?? 2, columns = surface?.z[0].length ?? 2;
   const line = (count, length) => Array.from({ length: count }, (_, k) => (k / (count - 1) - 0.5) * length);
   const across = (surface?.z[0] ?? []).map((_, j) => surface.z.map((row) => row[j]));
@@ -169,7 +164,7 @@ function moveSheet() {
 
 function sayOfSheet() {
   const status = VIEW.sheet.states.status[VIEW.index];
-  const drawn = HAS_WEBGL ? `z is drawn ${VIEW.zoom.toPrecision(2).replace(/\.0$/, "")} times larger than it is; x and y are not. Drag to turn, wheel to come nearer.`
+  const drawn = HAS_WEBGL ? `z is drawn ${digits(VIEW.zoom, 2)} times larger than it is; x and y are not. Drag to turn, wheel to come nearer.`
     : "No WebGL in this browser: the undeformed sheet from above in place of three dimensions.";
   note("sheet-note", { wrinkled: drawn, flat: `The sheet is flat. ${HAS_WEBGL ? "" : drawn}`,
     "not-converged": "This state did not converge: there is no shape to show." }[status]);
