@@ -33,14 +33,24 @@ function drawAll() {
   setControls();
   Object.keys(CURVES).forEach(drawCurve);
   drawProfile();
-  drawMap();
-  drawTension();
   listen();
   speak(sayState());
   writeFragment();
-  // three dimensions take longest, and everything else works without them
   clearTimeout(waiting);
-  waiting = setTimeout(drawSheetAndListen, plot("sheet").data ? 0 : 60);
+  const first = !plot("sheet").data;
+  if (!first) drawMaps();
+  // three dimensions take longest, and everything else works without them
+  waiting = setTimeout(first ? drawRest : drawSheetAndListen, first ? 30 : 0);
+}
+
+function drawMaps() {
+  drawMap();
+  drawTension();
+}
+
+function drawRest() {
+  drawMaps();
+  waiting = setTimeout(drawSheetAndListen, 30);
 }
 
 function drawSheetAndListen() {
@@ -151,6 +161,7 @@ function startPrint() {
   document.documentElement.classList.add("printing");
   redrawn("light");
   clearTimeout(waiting);
+  drawMaps();
   drawSheetAndListen();
   document.querySelectorAll(".plot").forEach((element) => {
     const { clientWidth: width, clientHeight: height } = element;

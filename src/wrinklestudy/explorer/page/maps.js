@@ -64,7 +64,7 @@ function drawCriticalCurve(map, values, thickness, strain) {
 }
 
 function moveMap() {
-  if (mapOf(VIEW.sheet) !== null) movePoint("map");
+  if (mapOf(VIEW.sheet) !== null && plot("map").data) movePoint("map");
 }
 
 function movePoint(id) {
@@ -111,7 +111,7 @@ function drawTensionMap(rows, aspects) {
 
 function moveTension() {
   const sheet = VIEW.sheet, rows = tensionOf(sheet);
-  if (!rows.length) return;
+  if (!rows.length || !plot("tension").data) return;
   const many = distinct(rows.map((row) => row.aspect)).length > 2;
   if (many) return movePoint("tension");
   const value = scaled([sheet.states.phi_squared[VIEW.index]], 1e3);
