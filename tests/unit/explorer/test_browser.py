@@ -1,10 +1,11 @@
 """The page in a real browser: it says and draws what the tables hold, by mouse, key and link."""
 
 import csv
+import re
 import shutil
 import time
 from dataclasses import replace
-from urllib.parse import urlencode
+from urllib.parse import parse_qs, urlencode
 
 import numpy as np
 import pytest
@@ -295,6 +296,44 @@ def test_map_and_tension_field_mark_the_point_or_say_what_is_missing(pages):
     assert page.locator("#map").is_hidden()
     assert "No critical thickness" in page.locator("#map-note").inner_text()
     assert "no tension field" in page.locator("#tension-note").inner_text()
+
+
+@pytest.mark.parametrize(
+    ("plot", "number", "told"),
+    [
+        ("amplitude", 1, "strain 0.1A = 2.1 t"),
+        ("wavelength", 1, "strain 0.1λ = 0.13 W"),
+        ("phi", 1, "10³ Φ² = "),
+    ],
+)
+def test_the_pointer_is_told_values_with_units(pages, plot, number, told):
+    page = pages.open(strain="0.1")
+    hover = "([plot, curveNumber]) => Plotly.Fx.hover(plot, [{ curveNumber, pointNumber: 2 }])"
+    page.evaluate(hover, [plot, number])
+    assert told in page.locator(f"#{plot} .hovertext").text_content()
+
+
+def test_the_pointer_is_told_values_of_the_map(pages):
+    page = pages.open(strain="0.1")
+    page.locator("#map").hover(position={"x": 150, "y": 120})
+    expect(page.locator("#map .hovertext")).to_have_text(
+        re.compile(r"strain 0\.\d+L/W = [124]τ₁ = \d.* × 10⁻³ W")
+    )
+
+
+def test_a_turned_sheet_stays_turned_and_is_in_the_link(page):
+    box = page.locator("#sheet").bounding_box()
+    page.mouse.move(box["x"] + 80, box["y"] + 150)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 180, box["y"] + 170, steps=4)
+    page.mouse.up()
+    expect(page).to_have_url(re.compile("eye="))
+    eye = "Object.values(document.getElementById('sheet').layout.scene.camera.eye)"
+    turned = page.evaluate(eye)
+    linked = parse_qs(page.url.partition("#")[2])["eye"][0]
+    assert [float(part) for part in linked.split(",")] == pytest.approx(turned, abs=1e-3)
+    go_to(page, 1)
+    assert page.evaluate(eye) == turned
 
 
 def downloaded(page, button):
