@@ -5,6 +5,8 @@ CORES ?= all
 # make report CONFIG=config/quick.yaml REPORT=report/quick.html
 CONFIG ?=
 REPORT ?= report/report.html
+EXPLORER ?= explorer/explorer.html
+FILM ?= explorer/film.$(if $(shell command -v ffmpeg),mp4,gif)
 BIN := .venv/bin
 READY := $(BIN)/.ready
 LOCK := requirements/lock.txt
@@ -16,7 +18,7 @@ SNAKEMAKE := $(BIN)/python workflow/unlock.py && $(BIN)/snakemake --cores $(CORE
 ONE_THREAD := OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 .DEFAULT_GOAL := help
-.PHONY: help env figures quick beyond report test verify bench lint schema lock
+.PHONY: help env figures quick beyond report explorer film test verify bench lint schema lock
 
 help: ## list the targets
 	@sed -n 's/^\([a-z]*\):.*## /  make \1	/p' $(MAKEFILE_LIST)
@@ -48,6 +50,14 @@ report: $(READY) ## run the study and put figures, claims and run times into rep
 	$(SNAKEMAKE) $(CONFIG:%=--configfile %)
 	@mkdir -p $(dir $(REPORT))
 	$(SNAKEMAKE) $(CONFIG:%=--configfile %) --report $(REPORT)
+
+# make explorer CONFIG=config/beyond.yaml EXPLORER=explorer/beyond.html
+explorer: $(READY) ## run the study and write a page to play with its states: explorer/explorer.html
+	$(SNAKEMAKE) $(CONFIG:%=--configfile %)
+	$(BIN)/wrinklestudy explore --config $(or $(CONFIG),config.yaml) --output $(EXPLORER)
+
+film: $(READY) ## compute the paper's sheet from birth to decay as a film: explorer/film.gif (.mp4 with ffmpeg)
+	$(BIN)/wrinklestudy film --material latex --aspect 2 --thickness 1e-3 --jobs 2 --overwrite --output $(FILM)
 
 test: $(READY) ## run the tests, with the quick study as one of them
 	$(ONE_THREAD) $(BIN)/python -m pytest --numprocesses auto --dist loadgroup --no-loadscope-reorder

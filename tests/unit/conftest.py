@@ -8,7 +8,10 @@ import numpy as np
 import pytest
 from made_up_rows import limits_row, state_row
 
+from wrinklestudy.fem.boundary import Symmetry
+from wrinklestudy.fem.grid import Grid
 from wrinklestudy.files.storage import write_h5
+from wrinklestudy.metrics.interpolant import DeformedSheet
 from wrinklestudy.results.tables import write_states
 from wrinklestudy.study.figures.inputs import Inputs
 
@@ -87,6 +90,12 @@ class MadeUp:
         field[1, 0], field[1, 2] = narrow * GRID_Y, narrow
         field[2] = amplitude * np.stack([np.outer(a, b) for b in (g, dg) for a in (f, df)])
         return field
+
+    def shape(self, strain):
+        """The state as it is read back; None where it did not converge."""
+        if self.status(strain) == "not-converged":
+            return None
+        return DeformedSheet(Grid(GRID_X, GRID_Y), self.position(strain), Symmetry.mirrored())
 
     def write_state(self, folder, strain):
         """Write a wrinkle file without history and return its path."""

@@ -25,6 +25,7 @@ ROOMS = [
     "study",
     "stages",
     "studies",
+    "explorer",
     "sheet",
     "cli",
     "__init__",

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from wrinklestudy.fem.grid import MeshSettings
     from wrinklestudy.mechanics.laws import Material
 
-_LARGER, _BOTH = "larger", "both"
+LARGER, _BOTH = "larger", "both"
 
 
 @dataclass(frozen=True)
@@ -44,9 +44,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add(
         "--parity",
-        choices=(_LARGER, _BOTH, *PARITIES),
-        default=_LARGER,
-        help=f"of the wrinkles across the sheet; {_LARGER}, the default: that of the thicker sheet",
+        choices=(LARGER, _BOTH, *PARITIES),
+        default=LARGER,
+        help=f"of the wrinkles across the sheet; {LARGER}, the default: that of the thicker sheet",
     )
     add_cells(parser)
     add("--jobs", type=whole_number, default=1, help="L/W that are computed at the same time")
@@ -69,19 +69,20 @@ def run(arguments: argparse.Namespace) -> Answer:
     if plot is not None and min(len(aspects), len(strains)) < 2:
         raise ValueError("--plot: contours need at least two L/W and two strains")
     chosen, mesh = model(arguments), mesh_settings(arguments)
-    _check_memory(max(aspects), mesh, min(arguments.jobs, len(aspects)))
+    check_memory(max(aspects), mesh, min(arguments.jobs, len(aspects)))
     bending, parity = chosen.bending or arguments.bending, chosen.parity or arguments.parity
     tasks = [
         MapTask(aspect, tuple(strains), chosen.material, bending, mesh, parity)
         for aspect in aspects
     ]
-    points = [point for points in _computed(tasks, arguments.jobs) for point in points]
+    points = [point for points in computed(tasks, arguments.jobs) for point in points]
     if plot is not None:
         write(plot, lambda path: _draw(points, chosen.material, path))
     return Answer(points, _text(points), tuple(_failures(points)))
 
 
-def _check_memory(aspect: float, mesh: "MeshSettings", jobs: int) -> None:
+def check_memory(aspect: float, mesh: "MeshSettings", jobs: int) -> None:
+    """Refuse L/W whose flat states the memory would not hold."""
     from wrinklestudy.equilibrium.critical_map import map_grid
     from wrinklestudy.fem.size import ProblemSize
 
@@ -89,8 +90,8 @@ def _check_memory(aspect: float, mesh: "MeshSettings", jobs: int) -> None:
     size.check_memory(f"L/W = {aspect:g}", wrinkled=False, jobs=jobs)
 
 
-def _computed(tasks: Sequence[MapTask], jobs: int) -> Iterator[list[dict[str, Any]]]:
-    """Yield the points of each L/W and say which are done."""
+def computed(tasks: Sequence[MapTask], jobs: int) -> Iterator[list[dict[str, Any]]]:
+    """Yield the points of each L/W and say on stderr which are done."""
     if jobs == 1 or len(tasks) == 1:
         for k, task in enumerate(tasks, 1):
             _announce(task.aspect, k, len(tasks))
@@ -126,11 +127,11 @@ def points_of(
             line.show(f"{place}: strain {strain:.6g} is done")
 
     grid = map_grid(task.aspect, task.mesh)
-    parities = [parity for parity in PARITIES if task.parity in (parity, _LARGER, _BOTH)]
+    parities = [parity for parity in PARITIES if task.parity in (parity, LARGER, _BOTH)]
     states = critical_states(
         grid, task.material.law, task.strains, [task.bending], parities, report
     )
-    if task.parity == _LARGER:
+    if task.parity == LARGER:
         pairs = zip(states[::2], states[1::2], strict=True)
         states = [max(pair, key=lambda state: state.critical_thickness or -1.0) for pair in pairs]
     law = str(describe(task.material)["law"])

@@ -4,7 +4,16 @@ import argparse
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple, NoReturn
 
-from wrinklestudy.cli import fit, map_command, measure, solve, stability, tension_command
+from wrinklestudy.cli import (
+    explore_command,
+    film_command,
+    fit,
+    map_command,
+    measure,
+    solve,
+    stability,
+    tension_command,
+)
 from wrinklestudy.cli.numbers import is_negative
 
 
@@ -28,6 +37,14 @@ COMMANDS = {
         "state of a sheet in the limit of no thickness",
         tension_command.add_options,
         tension_command.run,
+    ),
+    "explore": Command(
+        "page to look at a study or a sheet in a browser",
+        explore_command.add_options,
+        explore_command.run,
+    ),
+    "film": Command(
+        "film of a sheet from birth to decay", film_command.add_options, film_command.run
     ),
     "fit": Command("constants of a law from measured stress and strain", fit.add_options, fit.run),
     "measure": Command(

@@ -94,14 +94,14 @@ def _shown(
 
 
 @cache
-def _kept(sheet: "Sheet") -> "Sheet":
+def kept(sheet: "Sheet") -> "Sheet":
     """Return the first of equal sheets: its mesh and orderings serve all strains of a process."""
     return sheet
 
 
 def solve(task: Task, observer: "Observer | None" = None) -> dict[str, Any]:
     """Return the values of a state and write its files, none where it did not converge."""
-    sheet = _kept(task.sheet)
+    sheet = kept(task.sheet)
     state = sheet.solve(task.strain, observer=observer)
     if state.measures is not None:
         if task.vtu is not None:

@@ -29,7 +29,7 @@ def run(arguments: argparse.Namespace) -> Answer:
     (plot,) = planned("--plot", arguments.plot, SUFFIXES, arguments.overwrite, [""])
     chosen = sheet(arguments, size)
     announce(chosen, wrinkled=False)
-    limits = chosen.stability(_report)
+    limits = chosen.stability(report_critical)
     if plot is not None:
         write(plot, lambda path: _draw(chosen, size, limits, path))
     values = dict(vars(limits))
@@ -39,7 +39,8 @@ def run(arguments: argparse.Namespace) -> Answer:
     return Answer(values, stability_text(values, size))
 
 
-def _report(strain: float, thickness: float) -> None:
+def report_critical(strain: float, thickness: float) -> None:
+    """Say on stderr what is known at a strain."""
     print(f"strain {strain:.5f}: critical thickness {thickness:.6g} W", file=sys.stderr)
 
 

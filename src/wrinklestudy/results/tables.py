@@ -80,6 +80,17 @@ def read_map(path: AnyPath) -> list[MapRow]:
     return [MapRow(**cells) for cells in _read(path, MAP_COLUMNS)]
 
 
+def read_tension(path: AnyPath) -> list[TensionRow]:
+    """Return the rows of a table of the tension stage, in its order.
+
+    Raises
+    ------
+    ValueError
+        As `read_states`.
+    """
+    return [TensionRow(**cells) for cells in _read(path, TENSION_COLUMNS)]
+
+
 def read_states(path: AnyPath) -> list[StateRow]:
     """Return the states of a table of the metrics or the summary stage, in its order.
 

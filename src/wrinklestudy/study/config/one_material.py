@@ -1,13 +1,12 @@
 """A single material of a config, or a variant of one, whatever else the file may lack."""
 
-from pathlib import Path
 from typing import Any, TypeVar
 
-import yaml
 from pydantic import ValidationError
 
 from wrinklestudy.study.config.blocks import Block, MaterialBlock, VariantBlock
 from wrinklestudy.study.config.checks import ConfigError
+from wrinklestudy.study.config.reading import read_yaml
 from wrinklestudy.study.config.spelling import misleading
 from wrinklestudy.study.config.wording import closest, lines
 from wrinklestudy.typing import AnyPath
@@ -56,17 +55,8 @@ def _validated(kind: type[_Kind], path: AnyPath, key: str, content: Any) -> _Kin
 
 def _read(path: AnyPath) -> tuple[dict[Any, Any], dict[Any, Any]]:
     """Return the blocks of materials and of variants of a file."""
-    try:
-        problems = misleading(str(path))
-        content = yaml.safe_load(Path(path).read_text(encoding="utf-8"))
-    except OSError as error:
-        raise ConfigError(f"{path}: cannot be read ({error.strerror})") from None
-    except UnicodeDecodeError:
-        raise ConfigError(f"{path}: is not UTF-8 text") from None
-    except yaml.YAMLError as error:
-        mark = getattr(error, "problem_mark", None)
-        where = f"{path}, line {mark.line + 1}" if mark else f"{path}"
-        raise ConfigError(f"{where}: is not YAML ({getattr(error, 'problem', error)})") from None
+    content = read_yaml(path)
+    problems = misleading(str(path))
     if problems:
         raise ConfigError("\n".join(problems))
     materials = content.get("materials") if isinstance(content, dict) else None

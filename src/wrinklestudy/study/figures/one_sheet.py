@@ -69,7 +69,7 @@ def draw_state(sheet: PicturedSheet, strain: float, shape: DeformedSheet) -> Fig
     profile = profile_from_state(shape)
     height = float(np.abs(profile.z).max())
     flat = height < 1e-6 * sheet.thickness
-    view = ObliqueView(_exaggeration(height) if not flat else 1.0, sheet.thickness)
+    view = ObliqueView(exaggeration(height) if not flat else 1.0, sheet.thickness)
     if not flat:
         view = ObliqueView(view.exaggeration, height)
     surface = full_surface(shape, _per_cell(shape))
@@ -97,7 +97,7 @@ def _per_cell(shape: DeformedSheet) -> tuple[int, int]:
     return max(1, _SAMPLES[0] // (2 * along)), max(1, _SAMPLES[1] // (2 * across))
 
 
-def _exaggeration(height: float) -> float:
+def exaggeration(height: float) -> float:
     """Return the largest round factor that draws a height not too high."""
     largest = max(_DRAWN / height, 1.0)
     power = 10.0 ** np.floor(np.log10(largest))
