@@ -204,6 +204,13 @@ MUTATIONS = (
         "v0=np.random.default_rng().standard_normal(size)",
     ),
     Mutation(
+        "thin_sheets",
+        "bending of the envelope linear in the thickness",
+        "equilibrium/envelope.py",
+        "thickness**2 * bent",
+        "thickness * bent",
+    ),
+    Mutation(
         "regression",
         "biaxial data fitted as if the second direction were held",
         "material/homogeneous.py",

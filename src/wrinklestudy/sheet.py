@@ -7,6 +7,7 @@ from time import perf_counter
 from typing import Any
 
 from wrinklestudy.equilibrium import planar, stability, tension_field, wrinkled
+from wrinklestudy.equilibrium.envelope import envelope
 from wrinklestudy.equilibrium.newton import Observer
 from wrinklestudy.equilibrium.ranges import Stability
 from wrinklestudy.fem.grid import MeshSettings, make_grid
@@ -19,6 +20,7 @@ from wrinklestudy.metrics.interpolant import DeformedSheet
 from wrinklestudy.metrics.measure import Measures, measure_sheet
 from wrinklestudy.results.cases import resolved_thickness
 from wrinklestudy.results.fields import state_row
+from wrinklestudy.results.prediction import PredictionRow, prediction_row
 from wrinklestudy.results.rows import StateRow
 from wrinklestudy.results.states import unmeasured, with_measures
 from wrinklestudy.results.tension import TensionRow, tension_row
@@ -269,6 +271,32 @@ class Sheet:
         row = tension_row(field, self.material, str(describe(self.material)["law"]))
         measured = confinement(field) if field.converged else None
         return TensionState(strain, field, row, measured, seconds)
+
+    def far_from_threshold(self, strain: float, observer: Observer | None = None) -> PredictionRow:
+        """Return what tension field theory predicts of this sheet, without solving it.
+
+        The width that the wrinkles hide is that of the limit of no thickness, and their wavelength
+        that of least energy under the envelope which hides it (`equilibrium.envelope`). The
+        thinner the sheet the better; parity plays no role.
+
+        Parameters
+        ----------
+        strain : float
+            eps = (L' - L)/L of the clamps, within `vocabulary.STRAIN`.
+        observer : Observer, optional
+            Is told of each iteration.
+
+        Raises
+        ------
+        ValueError
+            If the strain is not allowed.
+        """
+        if strain not in STRAIN:
+            raise ValueError(f"strain = {strain:g}: must be {STRAIN}")
+        grid = tension_field.tension_grid(self.aspect, self.mesh)
+        field = tension_field.solve(grid, self.material.law, strain, observer=observer)
+        wrinkles = envelope(field, self.thickness, self.bending) if field.converged else None
+        return prediction_row(field, wrinkles, self.material, self.bending, self.thickness)
 
     def stability(self, report: Callable[[float, float], None] | None = None) -> Stability:
         """Return birth and decay strain, the largest critical thickness and those between.

@@ -30,6 +30,29 @@ def states_text(states: Sequence[_State], size: GivenSize) -> str:
     return f"{wrapped(' '.join(sentences))}\n{_states_table(states, size)}"
 
 
+def predictions_text(states: Sequence[_State]) -> str:
+    """Return the far-from-threshold predictions of a sheet, said to be predictions, and a table."""
+    sentences = [
+        "Predicted from tension field theory, not solved: the sheet in the limit of no thickness, "
+        "with wrinkles of the wavelength that balances bending and tension."
+    ]
+    sentences += [f"{failure}." for failure in failures(states)]
+    columns = {
+        "strain": "strain",
+        "status": "status",
+        "A/t": "amplitude_over_thickness",
+        "lambda/W": "wavelength_over_width",
+        "Phi^2": "phi_squared",
+        "W_arc/W": "arc_width_over_width",
+        "W_proj/W": "projected_width_over_width",
+    }
+    rows = [
+        [str(state[name]) if name == "status" else cell(state[name]) for name in columns.values()]
+        for state in states
+    ]
+    return f"{wrapped(' '.join(sentences))}\n{table([*columns], rows)}"
+
+
 def failures(states: Sequence[_State]) -> list[str]:
     """Return for each state that did not converge that it did not, and why."""
     return [

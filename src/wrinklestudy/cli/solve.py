@@ -1,6 +1,8 @@
 """`wrinklestudy solve`: the state of one sheet at one or more strains."""
 
 import argparse
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from wrinklestudy.cli.numbers import (
     NumberRange,
@@ -11,10 +13,14 @@ from wrinklestudy.cli.numbers import (
 )
 from wrinklestudy.cli.output import Answer
 from wrinklestudy.cli.outputs import add_overwrite, planned
-from wrinklestudy.cli.sentences import failures, states_text
+from wrinklestudy.cli.sentences import failures, predictions_text, states_text
 from wrinklestudy.cli.sheet_options import GivenSize, add_sheet, announce, given_size, sheet
 from wrinklestudy.cli.solving import Task, solve, solve_all
+from wrinklestudy.cli.tension_command import TensionTask, predicted_values
 from wrinklestudy.vocabulary import JOBS, STRAIN, Limits
+
+if TYPE_CHECKING:
+    from wrinklestudy.sheet import Sheet
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -27,6 +33,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
     add = parser.add_argument
     add("--jobs", type=whole_number, default=1, help="strains that are solved at the same time")
+    add(
+        "--far-from-threshold",
+        action="store_true",
+        help="predict thin sheets from tension field theory instead of solving them",
+    )
     add("--vtu", metavar="FILE.vtu", help="write the surface with its stresses, for ParaView")
     add("--picture", metavar="FILE", help="draw the sheet and its profile: .png, .pdf or .svg")
     add_overwrite(parser)
@@ -43,6 +54,8 @@ def run(arguments: argparse.Namespace) -> Answer:
     size = given_size(arguments)
     strains = _strains(arguments, size)
     labels = [f"strain{format_value(strain)}" for strain in strains]
+    if arguments.far_from_threshold:
+        return _predicted(arguments, sheet(arguments, size), strains)
     overwrite = arguments.overwrite
     vtu = planned("--vtu", arguments.vtu, VTU, overwrite, labels)
     pictures = planned("--picture", arguments.picture, PICTURES, overwrite, labels)
@@ -53,6 +66,16 @@ def run(arguments: argparse.Namespace) -> Answer:
     ]
     states = solve_all(solve, tasks, arguments.jobs)
     return Answer(states, states_text(states, size), tuple(failures(states)))
+
+
+def _predicted(arguments: argparse.Namespace, chosen: "Sheet", strains: Sequence[float]) -> Answer:
+    """Return what tension field theory predicts at each strain."""
+    for option in ("vtu", "picture"):
+        if getattr(arguments, option):
+            raise ValueError(f"--{option}: not with --far-from-threshold, which solves no surface")
+    tasks = [TensionTask(chosen, strain) for strain in strains]
+    rows = solve_all(predicted_values, tasks, arguments.jobs)
+    return Answer(rows, predictions_text(rows), tuple(failures(rows)))
 
 
 def _strains(arguments: argparse.Namespace, size: GivenSize) -> list[float]:

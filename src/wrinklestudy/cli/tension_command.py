@@ -3,6 +3,7 @@
 import argparse
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 from wrinklestudy.cli.material_options import add_material, model
@@ -78,6 +79,13 @@ def _sheet(arguments: argparse.Namespace, jobs: int) -> "Sheet":
 def tension_values(task: TensionTask, observer: "Observer | None" = None) -> dict[str, Any]:
     """Return the values of the tension field at a strain."""
     return task.sheet.tension_field(task.strain, observer).as_dict()
+
+
+def predicted_values(task: TensionTask, observer: "Observer | None" = None) -> dict[str, Any]:
+    """Return what the tension field predicts of a thin sheet at a strain."""
+    start = perf_counter()
+    row = task.sheet.far_from_threshold(task.strain, observer)
+    return row.shown() | {"seconds": perf_counter() - start}
 
 
 def _text(states: Sequence[_State]) -> str:

@@ -1,4 +1,4 @@
-"""Wrinkles of a thin sheet far from threshold: one wavelength under an amplitude that varies slowly.
+"""Wrinkles of a thin sheet far from threshold: one wavelength under a slowly varying amplitude.
 
 The tension field says how much width the wrinkles hide, not how many they are. In a thin sheet the
 deflection w = a(X, Y) sin(k Y) hides it; per reference area, averaged over a wave, it costs
@@ -29,6 +29,7 @@ from wrinklestudy.typing import Array
 _ACROSS = 120  # intervals across half the width, for the amplitude
 _FACTOR = 0.8  # of the wavelength of Cerda and Mahadevan, to begin with
 _SLIGHT = 1e-7  # hidden part of the squared width from which the amplitude begins to be sought
+_NOTHING = 1e-3  # of the thickness: a lower amplitude is none
 _SAME_WAVE = 2e-3  # relative change of k at which the search for it ends
 _MAX_WAVES = 20
 _MAX_ITERATIONS = 60
@@ -37,7 +38,7 @@ _TOLERANCE = 1e-10
 
 
 @dataclass(frozen=True, eq=False)
-class Envelope:
+class ThinWrinkles:
     """Wrinkles of one wave number under an envelope, lengths in units of W.
 
     Parameters
@@ -90,8 +91,10 @@ class Envelope:
         return space.field_from_nodes(np.stack(parts))
 
 
-def envelope(field: TensionField, thickness: float, bending: str) -> Envelope | None:
-    """Return the wrinkles of a sheet of thickness t/W, or None where the field hides no width.
+def envelope(field: TensionField, thickness: float, bending: str) -> ThinWrinkles | None:
+    """Return the wrinkles of a sheet of thickness t/W, or None where it has none.
+
+    It has none where the field hides no width, or too little for a sheet so thick.
 
     Parameters
     ----------
@@ -115,11 +118,13 @@ def envelope(field: TensionField, thickness: float, bending: str) -> Envelope | 
     hidden = np.sqrt(2.0 * np.maximum(densities.hidden, _SLIGHT))
     amplitude = densities.amplitude(k, hidden / k)
     for _ in range(_MAX_WAVES):
+        if not amplitude.max() > _NOTHING * thickness:
+            return None
         last, k = k, densities.balance(amplitude, k)
         amplitude = densities.amplitude(k, amplitude * last / k)
         if abs(k - last) <= _SAME_WAVE * k:
             break
-    return Envelope(space, amplitude, k, stretch)
+    return ThinWrinkles(space, amplitude, k, stretch)
 
 
 class _Densities:
@@ -188,7 +193,7 @@ def _densities(
     stretches, relaxed = principal_stretches(metric), RelaxedLaw(field.law)
     natural = relaxed.natural_square(stretches.larger)
     hidden = natural - stretches.smaller
-    if not (np.isfinite(hidden).all() and (natural > 0.0).all() and hidden[:-1].max() > _SLIGHT):
+    if not (np.isfinite(hidden).all() and (natural > 0.0).all() and hidden[:-1].max() > 0.0):
         return None
     uniaxial = np.stack([stretches.larger, natural, np.zeros_like(natural)])
     stress, stiffness = field.law.derivatives(uniaxial)

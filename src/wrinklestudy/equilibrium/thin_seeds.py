@@ -32,7 +32,9 @@ _IN_PLANE = newton.NewtonOptions(tolerance=1e-8, max_iterations=12, smooth=False
 _FLAP = newton.NewtonOptions(tolerance=1e-14, max_iterations=60, rise=10.0)
 
 
-def thin_seed(planar: Planar, thickness: float) -> Array | None:
+def thin_seed(
+    planar: Planar, thickness: float, observer: newton.Observer | None = None
+) -> Array | None:
     """Return a position (3, size) near the wrinkled state of a thin sheet, or None without one.
 
     Parameters
@@ -41,13 +43,15 @@ def thin_seed(planar: Planar, thickness: float) -> Array | None:
         With its flat state and modes.
     thickness : float
         t/W.
+    observer : newton.Observer, optional
+        Is told of each iteration of the tension field.
     """
     flat, modes = planar.flat, planar.modes
     if flat is None or modes is None:
         return None
     space = flat.space
     grid = coarsened(space.grid, len(space.grid.x) - 1, _ACROSS)
-    field = tension_field.solve(grid, flat.law, flat.strain)
+    field = tension_field.solve(grid, flat.law, flat.strain, observer=observer)
     if not field.converged:
         return None
     wrinkles = envelope(field, thickness, modes.bending)

@@ -116,7 +116,7 @@ def solve(
         return _flat(planar, planar.flat, planar.modes, thickness)
     states = []
     if thickness < THIN * planar.modes.critical_thickness:
-        start = thin_seed(planar, thickness)
+        start = thin_seed(planar, thickness, observer)
         if start is not None:
             states.append(minimise_from(planar, thickness, start, settings, observer))
             if states[0].status == "wrinkled":

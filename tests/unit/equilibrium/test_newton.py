@@ -86,3 +86,21 @@ def test_reports_an_indefinite_tangent_without_shifts():
 def test_refuses_options_without_sense(key, value):
     with pytest.raises(ValueError, match=key):
         NewtonOptions(**{key: value})
+
+
+class Misleading(DoubleWell):
+    """The double well with a residual alone that is far off, as rounding makes it in thin sheets.
+
+    BFGS steps are made of it.
+    """
+
+    def residual(self, u):
+        return super().residual(u) + np.array([3.0, -5.0])
+
+
+def test_takes_no_step_with_an_old_tangent_away_from_the_minimum():
+    options = NewtonOptions(tolerance=1e-24)
+    minimum = minimise(Misleading(), np.array([1.001, 1.0]), make_solver(), options)
+    assert minimum.converged
+    assert np.allclose(minimum.unknowns, 1.0, atol=1e-9)
+    assert all(row.fresh for row in minimum.history)
