@@ -15,7 +15,7 @@ from typing import Any
 from wrinklestudy.files.storage import write_json
 
 STRAIN = 0.1
-THICKNESSES = (1.0e-3, 1.0e-4, 2.0e-5)
+THICKNESSES = (1.0e-3, 1.0e-4, 2.0e-5, 1.0e-5)
 
 
 def solve(thickness: float) -> dict[str, Any]:
