@@ -24,7 +24,7 @@ TOGETHER = [
     {"results/quick/summary/states.csv", "results/quick/summary/stability.csv", LOST[6]},
     {f"results/quick/claims/{name}" for name in ("claims.csv", "claims.html", "claims.md")}
     | {"results/quick/claims/table1.csv"},
-    {"figures/quick/fig03_surface.png", "figures/quick/fig03_surface.pdf"},
+    {f"figures/quick/fig03_surface.{suffix}" for suffix in ("png", "pdf", "csv")},
 ]
 ABOUT_RUNS = ("results/quick/log/", "results/quick/benchmark/")
 

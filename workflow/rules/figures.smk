@@ -10,6 +10,7 @@ rule figures:
             category=lambda wildcards: CATALOGUE.figure(wildcards.figure).part,
             labels=lambda wildcards: figure_contents.labels(CATALOGUE.figure(wildcards.figure)),
         ),
+        csv=PATHS.pattern("figures", "csv"),
     log:
         PATHS.log("figures"),
     threads: 1

@@ -48,7 +48,9 @@ STAGES: Mapping[str, Stage] = {
     "summary": Stage(
         {"states": "states.csv", "stability": "stability.csv", "peaks": "peaks.csv"},
     ),
-    "figures": Stage({"pdf": "{figure}.pdf", "png": "{figure}.png"}, wanted=True),
+    "figures": Stage(
+        {"pdf": "{figure}.pdf", "png": "{figure}.png", "csv": "{figure}.csv"}, wanted=True
+    ),
     "claims": Stage(
         {
             "csv": "claims.csv",

@@ -1,4 +1,4 @@
-"""The figures stage: one figure in all formats asked for."""
+"""The figures stage: one figure in all formats asked for, and the numbers that it shows."""
 
 from collections.abc import Mapping, Sequence
 from importlib import import_module
@@ -9,6 +9,7 @@ from wrinklestudy.study.loading import load_catalogue
 from wrinklestudy.typing import AnyPath
 
 SUFFIXES = (".pdf", ".png", ".svg")
+NUMBERS = ".csv"  # what the figure shows, as a table
 
 
 def run(
@@ -37,7 +38,7 @@ def run(
     name : str
         One of the figures of its catalogue.
     output : path-like, sequence or mapping of path-like
-        Files to write; the suffix (.pdf, .png, .svg) is the format.
+        Files to write; the suffix (.pdf, .png, .svg) is the format, .csv the numbers shown.
     metrics : sequence of path-like
         Tables of the metrics stage of the sheets that the figure shows, in their order.
     stability : sequence of path-like
@@ -66,13 +67,14 @@ def run(
     module = load_catalogue(study).figure(name).module
     paths = _paths(list(output.values()) if isinstance(output, Mapping) else output)
     for path in paths:
-        if path.suffix not in SUFFIXES:
-            allowed = ", ".join(SUFFIXES)
+        if path.suffix not in (*SUFFIXES, NUMBERS):
+            allowed = ", ".join((*SUFFIXES, NUMBERS))
             raise ValueError(f"{path}: a figure must end in one of {allowed}")
 
     from wrinklestudy.results.analyses import analysis_files
     from wrinklestudy.study.figures import style
     from wrinklestudy.study.figures.inputs import Inputs
+    from wrinklestudy.study.figures.shown_numbers import write_numbers
 
     inputs = Inputs(
         metrics=_paths(metrics),
@@ -90,7 +92,10 @@ def run(
             raise ValueError(f"figure {name!r}: module {module} must define draw(inputs)")
         figure = draw(inputs)
         for path in paths:
-            style.save(figure, path)
+            if path.suffix == NUMBERS:
+                write_numbers(figure, path)
+            else:
+                style.save(figure, path)
 
 
 def _paths(paths: AnyPath | Sequence[AnyPath]) -> tuple[Path, ...]:

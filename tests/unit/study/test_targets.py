@@ -49,7 +49,7 @@ def test_the_files_of_a_study_follow_from_its_cases():
         "wrinkle": 9,
         "metrics": 5,
         "summary": 3,
-        "figures": 2,
+        "figures": 3,  # two formats and the numbers
         "claims": 4,
         "gate": 1,
     }
