@@ -48,6 +48,12 @@ def same_thickness(config: SheetsOfConfig) -> Sheets:
     )
 
 
+def same_but_one(config: SheetsOfConfig) -> Sheets:
+    """Select the sheet of `figures.sheet`, then those that differ from it in L/W or t/W alone."""
+    own = config.figure_sheet
+    return tuple(dict.fromkeys((own, *same_thickness(config), *same_aspect(config))))
+
+
 def same_aspect(config: SheetsOfConfig) -> Sheets:
     """Select the sheets that differ from `figures.sheet` in t/W at most."""
     own = config.figure_sheet

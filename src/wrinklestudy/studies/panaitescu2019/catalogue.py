@@ -5,6 +5,7 @@ from wrinklestudy.study.selections import (
     compared_models,
     figure_sheet,
     same_aspect,
+    same_but_one,
     same_thickness,
 )
 
@@ -92,6 +93,16 @@ _FIGURES = (
         module=f"{_HERE}.figures.fig06_thickness",
         sheets=same_aspect,
         measured=("amplitude", "profiles"),
+    ),
+    FigureEntry(
+        name="fig06_labelled",
+        panel="6",
+        title="amplitude of all sheets",
+        caption="A second form of figure 6: amplitude against strain, every curve with its "
+        "label beside it.",
+        part=_SIZES,
+        module=f"{_HERE}.figures.fig06_labelled",
+        sheets=same_but_one,
     ),
     FigureEntry(
         name="fig07_width",

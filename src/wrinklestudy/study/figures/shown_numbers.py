@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import PathCollection, QuadMesh
+from matplotlib.colors import to_hex
 from matplotlib.contour import ContourSet
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
@@ -49,13 +50,28 @@ def shown_series(figure: Figure) -> list[ShownSeries]:
     figure : Figure
         As it is saved.
     """
+    names = _names_by_colour(figure)
     return [
-        series
+        series._replace(label=series.label or names.get(_colour(artist), ""))
         for number, axes in enumerate(figure.axes, 1)
         for artist in (*axes.lines, *axes.collections, *axes.images)
         for series in _of_artist(number, axes, artist)
         if len(series.points)
     ]
+
+
+def _names_by_colour(figure: Figure) -> dict[str, str]:
+    """Return the names of the legend by colour, for curves that the colour alone names."""
+    names: dict[str, set[str]] = {}
+    for axes in figure.axes:
+        for line in axes.lines:
+            if not str(line.get_label()).startswith("_"):
+                names.setdefault(_colour(line), set()).add(str(line.get_label()))
+    return {colour: labels.pop() for colour, labels in names.items() if len(labels) == 1}
+
+
+def _colour(artist: Artist) -> str:
+    return str(to_hex(artist.get_color())) if isinstance(artist, Line2D) else ""
 
 
 def write_numbers(figure: Figure, path: AnyPath) -> None:
