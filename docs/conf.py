@@ -23,6 +23,7 @@ exclude_patterns = ["_sphinx"]
 
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 3
+html_math_renderer = "mathml"
 nb_execution_mode = "off"  # the notebook is kept with its outputs, and a test runs it
 
 autodoc_member_order = "bysource"

@@ -4,11 +4,13 @@ A line ``<!-- generated: NAME -->`` in a page is replaced by what the function o
 """
 
 import json
+import os
 import re
 from argparse import ArgumentParser
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import redirect_stdout
 from io import StringIO
+from os.path import relpath
 from pathlib import Path
 from typing import Any
 
@@ -18,19 +20,32 @@ from sphinx.application import Sphinx
 ROOT = Path(__file__).parents[2]
 STUDIES = (("panaitescu2019", "figures", "figures"), ("beyond", "figures/beyond", "beyond"))
 _MARK = re.compile(r"^<!-- generated: (\w+) -->$", flags=re.MULTILINE)
+_LINK = re.compile(r"\]\(([^()#:]+\.md)\)")
+# Pages of the project that are not in docs/, and the page of the site that has the same
+_INSTEAD = {"README.md": "index.md", "data/experiment/README.md": "recipes/measurements.md"}
 _WIDTH = "100"  # columns of a help
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
     """Replace the marks while the pages are read."""
     app.connect("source-read", _replace)
-    app.add_lexer("mermaid", TextLexer)  # a diagram that is readable as text
+    for language in ("mermaid", "csv"):  # readable as text
+        app.add_lexer(language, TextLexer)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 
 def _replace(app: Sphinx, page: str, source: list[str]) -> None:
-    del app, page
+    folder = Path(app.srcdir, page).parent
+
+    def inside(link: re.Match[str]) -> str:
+        there = (folder / link[1]).resolve()
+        for outside, instead in _INSTEAD.items():
+            if there == ROOT / outside:
+                return f"]({relpath(Path(app.srcdir, instead), folder)})"
+        return link[0]
+
     source[0] = _MARK.sub(lambda mark: PARTS[mark[1]](), source[0])
+    source[0] = _LINK.sub(inside, source[0])
 
 
 def command_line() -> str:
@@ -45,8 +60,6 @@ def command_line() -> str:
 
 
 def _help(*words: str) -> str:
-    import os
-
     from wrinklestudy.cli.parser import parse
 
     text = StringIO()
@@ -140,6 +153,12 @@ def gallery() -> str:
     return "\n\n".join(parts)
 
 
+def measurements() -> str:
+    """Return data/experiment/README.md without its title."""
+    text = (ROOT / "data" / "experiment" / "README.md").read_text(encoding="utf-8")
+    return text.partition("\n")[2].strip()
+
+
 def _captions(study: str) -> tuple[str, dict[str, str]]:
     from wrinklestudy.study.loading import load_catalogue
 
@@ -160,4 +179,5 @@ PARTS: dict[str, Callable[[], str]] = {
     "command_line": command_line,
     "config": config,
     "gallery": gallery,
+    "measurements": measurements,
 }
