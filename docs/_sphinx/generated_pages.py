@@ -82,7 +82,9 @@ def config() -> str:
     schema = json.loads((ROOT / "config" / "schema.json").read_text(encoding="utf-8"))
     parts = [_table(schema)]
     for name, block in schema["$defs"].items():
-        parts.append(f"## {_block_title(name)}\n\n{_sentence(block['description'])}\n\n{_table(block)}")
+        parts.append(
+            f"## {_block_title(name)}\n\n{_sentence(block['description'])}\n\n{_table(block)}"
+        )
     return "\n\n".join(parts)
 
 

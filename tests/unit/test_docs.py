@@ -1,6 +1,8 @@
 """What the docs name is there."""
 
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -36,3 +38,31 @@ def test_the_architecture_has_every_room_and_every_stage():
     assert sorted(rooms) == sorted(name for name in there if not name.startswith("__"))
     stages = re.findall(r"^\| (\w+) \| .* \|$", ARCHITECTURE, flags=re.MULTILINE)
     assert stages[: stages.index("gate") + 1][-len(STAGES) :] == list(STAGES)
+
+
+@pytest.mark.parametrize("page", ["model", "why_different", "reference/library"])
+def test_examples_of_a_page_run(page):
+    text = (ROOT / "docs" / f"{page}.md").read_text(encoding="utf-8")
+    examples = re.findall(r"^```python\n(.*?)^```", text, flags=re.DOTALL | re.MULTILINE)
+    assert examples
+    run = subprocess.run(
+        [sys.executable, "-c", "\n".join(examples)], capture_output=True, text=True, check=False
+    )
+    assert run.returncode == 0, run.stderr
+
+
+def test_home_shows_the_example_of_the_readme():
+    """A test of the README runs it."""
+    home = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    pattern = re.compile(r"```python\n(.*?)```", flags=re.DOTALL)
+    assert pattern.findall(home) == pattern.findall(readme)
+
+
+def test_every_page_is_in_the_contents_of_the_site():
+    home = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
+    trees = re.findall(r"```\{toctree\}\n(.*?)```", home, flags=re.DOTALL)
+    listed = {line for tree in trees for line in tree.splitlines() if line[:1].isalpha()}
+    sources = [*(ROOT / "docs").rglob("*.md"), *(ROOT / "docs").rglob("*.ipynb")]
+    pages = {path.relative_to(ROOT / "docs").with_suffix("").as_posix() for path in sources}
+    assert listed == pages - {"index"}
