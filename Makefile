@@ -60,7 +60,7 @@ film: $(READY) ## compute the paper's sheet from birth to decay as a film: explo
 	$(BIN)/wrinklestudy film --material latex --aspect 2 --thickness 1e-3 --jobs 2 --overwrite --output $(FILM)
 
 docs: $(READY) ## build the site from docs/, with the figures that are there: site/index.html
-	$(BIN)/sphinx-build --fail-on-warning --keep-going --quiet docs site
+	$(BIN)/sphinx-build --fresh-env --fail-on-warning --keep-going --quiet docs site
 
 test: $(READY) ## run the tests, with the quick study as one of them
 	$(ONE_THREAD) $(BIN)/python -m pytest --numprocesses auto --dist loadgroup --no-loadscope-reorder

@@ -8,7 +8,7 @@ sys.path[:0] = [str(_HERE.parent / "src"), str(_HERE / "_sphinx")]
 
 project = "wrinklestudy"
 author = "The wrinklestudy developers"
-copyright = author  # noqa: A001 (Sphinx's name)
+copyright = author
 html_title = "wrinklestudy"
 
 extensions = [

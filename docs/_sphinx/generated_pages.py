@@ -6,7 +6,6 @@ A line ``<!-- generated: NAME -->`` in a page is replaced by what the function o
 import json
 import os
 import re
-from argparse import ArgumentParser
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import redirect_stdout
 from io import StringIO
@@ -137,7 +136,7 @@ def _block_title(name: str) -> str:
 
 
 def gallery() -> str:
-    """Return the figures of the studies that were computed, with captions; or how to compute them."""
+    """Return the figures that were computed, with captions, or how to compute them."""
     parts = []
     for study, folder, target in STUDIES:
         pictures = sorted((ROOT / folder).glob("*.png"))

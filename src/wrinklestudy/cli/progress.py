@@ -17,7 +17,7 @@ _ITERATIONS, _DESIGN_THICKNESS, _LEAST = 3.0, 1e-3, 4.0
 _SECONDS, _UNKNOWNS, _GROWTH = 0.12, 11_100, 1.5
 
 
-# Set in the processes of a Jupyter kernel, which gives its commands a terminal that keeps every line.
+# Set in a Jupyter kernel, which gives its commands a terminal that keeps every line.
 _IN_NOTEBOOK = "JPY_PARENT_PID"
 
 
