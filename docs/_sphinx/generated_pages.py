@@ -117,7 +117,8 @@ def _allowed(entry: Mapping[str, Any]) -> str:
     if kind == "object":
         blocks = [_allowed(one) for one in entry.get("patternProperties", {}).values()]
         return f"names with {' or '.join(blocks)}" if blocks else "block"
-    return " ".join([{"string": "text"}.get(str(kind), str(kind)), *_bounds(entry)])
+    word = {"string": "text"}.get(str(kind), str(kind))
+    return f"{word} {', '.join(_bounds(entry))}".strip()
 
 
 def _bounds(entry: Mapping[str, Any]) -> Iterator[str]:
@@ -137,20 +138,26 @@ def _block_title(name: str) -> str:
 
 def gallery() -> str:
     """Return the figures that were computed, with captions, or how to compute them."""
+    from wrinklestudy.study.loading import load_catalogue
+
     parts = []
     for study, folder, target in STUDIES:
         pictures = sorted((ROOT / folder).glob("*.png"))
-        title, captions = _captions(study)
-        parts.append(f"## {title}")
+        catalogue = load_catalogue(study)
+        entries = {figure.name: figure for figure in catalogue.figures}
+        parts.append(f"## {catalogue.title}")
         if not pictures:
             parts.append(
                 f"These figures had not been computed when this site was built: `make {target}` "
                 "makes them, then `make docs` shows them here."
             )
         for picture in pictures:
-            text = captions.get(picture.stem, picture.stem)
-            shown = f"![{_plain(text)}](../../{folder}/{picture.name})"
-            parts += [f"### {picture.stem}", shown, text]
+            if picture.stem not in entries:
+                continue
+            entry = entries[picture.stem]
+            shown = f"![{_plain(entry.caption)}](../../{folder}/{picture.name})"
+            source = f"`{folder}/{picture.stem}.pdf`, made by `make {target}`"
+            parts += [f"### {entry.title}", shown, f"{entry.caption} ({source})"]
     return "\n\n".join(parts)
 
 
@@ -158,13 +165,6 @@ def measurements() -> str:
     """Return data/experiment/README.md without its title."""
     text = (ROOT / "data" / "experiment" / "README.md").read_text(encoding="utf-8")
     return text.partition("\n")[2].strip()
-
-
-def _captions(study: str) -> tuple[str, dict[str, str]]:
-    from wrinklestudy.study.loading import load_catalogue
-
-    catalogue = load_catalogue(study)
-    return catalogue.title, {figure.name: figure.caption for figure in catalogue.figures}
 
 
 def _plain(text: str) -> str:

@@ -1,16 +1,19 @@
 """What the docs name is there."""
 
+import json
 import re
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
+import yaml
 
 from wrinklestudy.results.paths import STAGES
 
 ROOT = Path(__file__).parents[2]
-PAGES = sorted([ROOT / "README.md", *(ROOT / "docs").rglob("*.md")])
+PAGES = sorted([ROOT / "README.md", ROOT / "config" / "README.md", *(ROOT / "docs").rglob("*.md")])
 PACKAGE = ROOT / "src" / "wrinklestudy"
 ARCHITECTURE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
 
@@ -66,3 +69,26 @@ def test_every_page_is_in_the_contents_of_the_site():
     sources = [*(ROOT / "docs").rglob("*.md"), *(ROOT / "docs").rglob("*.ipynb")]
     pages = {path.relative_to(ROOT / "docs").with_suffix("").as_posix() for path in sources}
     assert listed == pages - {"index"}
+
+
+def test_what_the_catalog_of_workflows_shows_names_every_block_of_the_config():
+    schema = json.loads((ROOT / "config" / "schema.json").read_text(encoding="utf-8"))
+    page = (ROOT / "config" / "README.md").read_text(encoding="utf-8")
+    assert [key for key in schema["properties"] if f"`{key}`" not in page] == []
+    files = {path.name for path in (ROOT / "config").glob("*.yaml")}
+    assert files <= set(re.findall(r"\]\(([\w.]+)\)", page))
+
+
+def test_the_citation_is_of_this_version_and_of_the_paper():
+    """The keys that CFF 1.2 requires, and those that the catalog of workflows reads."""
+    citation = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert citation["cff-version"] == "1.2.0"
+    assert citation["message"]
+    assert citation["authors"]
+    for key, name in (("title", "name"), ("version", "version"), ("license", "license")):
+        assert citation[key] == project[name]
+    (paper,) = citation["references"]
+    assert (paper["volume"], paper["start"], paper["year"]) == (100, "053003", 2019)
+    catalog = yaml.safe_load((ROOT / ".snakemake-workflow-catalog.yml").read_text(encoding="utf-8"))
+    assert set(catalog["usage"]) == {"mandatory-flags", "software-stack-deployment", "report"}
