@@ -18,7 +18,7 @@ SNAKEMAKE := $(BIN)/python workflow/unlock.py && $(BIN)/snakemake --cores $(CORE
 ONE_THREAD := OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 .DEFAULT_GOAL := help
-.PHONY: help env figures quick beyond report explorer film test verify bench lint schema lock
+.PHONY: help env figures quick beyond report explorer film docs test verify bench lint schema lock
 
 help: ## list the targets
 	@sed -n 's/^\([a-z]*\):.*## /  make \1	/p' $(MAKEFILE_LIST)
@@ -58,6 +58,9 @@ explorer: $(READY) ## run the study and write a page to play with its states: ex
 
 film: $(READY) ## compute the paper's sheet from birth to decay as a film: explorer/film.gif (.mp4 with ffmpeg)
 	$(BIN)/wrinklestudy film --material latex --aspect 2 --thickness 1e-3 --jobs 2 --overwrite --output $(FILM)
+
+docs: $(READY) ## build the site from docs/, with the figures that are there: site/index.html
+	$(BIN)/sphinx-build --fresh-env --fail-on-warning --keep-going --quiet docs site
 
 test: $(READY) ## run the tests, with the quick study as one of them
 	$(ONE_THREAD) $(BIN)/python -m pytest --numprocesses auto --dist loadgroup --no-loadscope-reorder

@@ -1,5 +1,6 @@
 """Progress on stderr: a line that tells what a long solve is doing, on a terminal only."""
 
+import os
 import sys
 import time
 from dataclasses import dataclass, field
@@ -16,6 +17,10 @@ _ITERATIONS, _DESIGN_THICKNESS, _LEAST = 0.5, 1e-3, 4.0
 _SECONDS, _UNKNOWNS, _GROWTH = 0.12, 11_100, 1.5
 
 
+# Set in a Jupyter kernel, which gives its commands a terminal that keeps every line.
+_IN_NOTEBOOK = "JPY_PARENT_PID"
+
+
 @dataclass
 class StatusLine:
     """A line at the bottom of a terminal that is written over; nothing on anything else."""
@@ -25,7 +30,7 @@ class StatusLine:
 
     def show(self, text: str) -> None:
         """Show a text once the patience is over."""
-        if self.stream.isatty() and time.monotonic() - self.start > _PATIENCE:
+        if self._written_over() and time.monotonic() - self.start > _PATIENCE:
             import shutil
 
             width = shutil.get_terminal_size().columns - 1
@@ -34,9 +39,13 @@ class StatusLine:
 
     def clear(self) -> None:
         """Leave an empty line."""
-        if self.stream.isatty():
+        if self._written_over():
             self.stream.write("\r\x1b[2K")
             self.stream.flush()
+
+    def _written_over(self) -> bool:
+        """Return whether a line can be written over: on a terminal, not in a notebook."""
+        return self.stream.isatty() and _IN_NOTEBOOK not in os.environ
 
 
 @dataclass

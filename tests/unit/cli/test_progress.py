@@ -41,8 +41,19 @@ def test_nothing_is_shown_off_a_terminal_or_within_two_seconds(sheet, monkeypatc
     assert stream.getvalue() == ""
 
 
+def test_a_notebook_gets_no_line_that_it_could_not_write_over(sheet, monkeypatch):
+    """Commands of a cell have a terminal, but all that they write to it stays in the output."""
+    monkeypatch.setattr(progress, "_PATIENCE", -1.0)
+    monkeypatch.setenv("JPY_PARENT_PID", "1")
+    line = StatusLine(Terminal())
+    sheet.solve(0.12, observer=SolveProgress("s", sheet.size, 1e-3, line))
+    line.clear()
+    assert line.stream.getvalue() == ""
+
+
 def test_a_terminal_shows_stage_iteration_decrement_and_what_is_left(sheet, monkeypatch):
     monkeypatch.setattr(progress, "_PATIENCE", -1.0)
+    monkeypatch.delenv("JPY_PARENT_PID", raising=False)
     monkeypatch.setenv("COLUMNS", "120")
     stream = Terminal()
     sheet.solve(0.12, observer=SolveProgress("strain 0.12", sheet.size, 1e-3, StatusLine(stream)))

@@ -61,8 +61,8 @@ def _curves(
         if not sheet.never_wrinkles:
             x, y = middle = _place(curve, np.concatenate(curves), taken)
             taken.append(middle)
-            text = axes.text(x, y, name, transform=axes.transAxes, fontsize=6.5, color=look.color)
-            text.set(ha="center", va="center")
+            shown = axes.text(x, y, name, transform=axes.transAxes, fontsize=6.5, color=look.color)
+            shown.set(ha="center", va="center")
 
 
 def _in_axes(axes: Axes, strain: Array, amplitude: Array) -> Array:
