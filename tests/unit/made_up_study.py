@@ -155,7 +155,7 @@ def world(materials=MATERIALS, wanted=("latex", 2.0, 1e-3), **changes):
 
 
 def field_table(factor=1.0, **columns):
-    """Return the table of a tension field with the widths of the paper's sheet and k times Phi^2."""
+    """Return a tension field with the sheet's arc width and a multiple of its Phi^2."""
     own = world().sheet.columns
     arc, phi_squared = own["arc_width_over_width"], factor * own["phi_squared"]
     table = {
