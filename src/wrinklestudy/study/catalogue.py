@@ -46,8 +46,8 @@ class FigureEntry:
     materials : bool
         Whether the figure compares the fitted materials of the study.
     constants : bool
-        Whether the figure needs the constants of materials: those of its sheets, and all that are
-        fitted.
+        Whether the figure needs the constants of materials: those of its sheets and analyses, and
+        all that are fitted.
     analyses : tuple of str
         Stages that are analyses (`results.paths.Stage`) whose files the figure is drawn from, those
         of the whole study.

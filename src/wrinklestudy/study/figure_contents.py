@@ -21,7 +21,9 @@ def constants_shown(study: StudyConfig, figure: FigureEntry) -> tuple[str, ...]:
     if not figure.constants:
         return ()
     fitted = {name for name, material in study.materials.items() if material.data is not None}
-    return tuple(sorted(fitted | {study.base(s.material) for s in sheets_shown(study, figure)}))
+    models = {sheet.material for sheet in sheets_shown(study, figure)}
+    models |= {model for stage in figure.analyses for model, _ in study.analyses(stage)}
+    return tuple(sorted(fitted | {study.base(model) for model in models}))
 
 
 def sheets_shown(study: StudyConfig, figure: FigureEntry) -> Sheets:
@@ -71,7 +73,8 @@ def cases_text(study: StudyConfig, figure: FigureEntry) -> str:
         for sheet, cases in shown.items()
     ]
     texts += [
-        f"{stage} of {model}, L/W = {format_value(aspect)}: {_strains_text(list(strains))}"
+        f"{stage} of {model}, L/W = {format_value(aspect)}"
+        + (f": {_strains_text(list(strains))}" if strains else "")
         for stage in figure.analyses
         for (model, aspect), strains in study.analyses(stage).items()
     ]

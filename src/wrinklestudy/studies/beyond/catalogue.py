@@ -83,6 +83,19 @@ _FIGURES = (
         sheets=same_length,
     ),
     FigureEntry(
+        name="compression",
+        title="the strain at which compression at the centre ends, as the thickness vanishes",
+        caption="Left: the strain at which the centre of the flat sheet is compressed no more, "
+        "against C01/C10; the thinnest sheets have no wrinkles there beyond it. Bars: what half "
+        "the cells in each direction and half the strains change, added. Bands: between these "
+        "ratios the end goes to infinity, in all strains that were looked at. Right: how much the "
+        "natural width exceeds the actual one at the centre; compressed above zero.",
+        part=_BIRTH,
+        module=f"{_HERE}.figures.compression",
+        analyses=("compression",),
+        constants=True,
+    ),
+    FigureEntry(
         name="rubber",
         title="birth, decay and height against the constants of the rubber",
         caption="Left: birth and decay strain and largest amplitude against C01/C10, with the "
@@ -114,6 +127,12 @@ _TABLES = (
         title="Strain of birth against thickness",
         caption="Critical thickness at small strains.",
         module=f"{_HERE}.tables.birth",
+    ),
+    TableEntry(
+        name="compression",
+        title="Where compression at the centre ends",
+        caption="Strain at which the centre of the flat sheet is compressed no more.",
+        module=f"{_HERE}.tables.compression",
     ),
     TableEntry(
         name="rubber",
@@ -161,9 +180,10 @@ _SECTIONS = (
     SectionEntry(
         number=6,
         title="6. Thresholds of thin sheets",
-        asked="How does the strain of birth vanish with the thickness?",
-        figures=("birth",),
-        tables=("birth",),
+        asked="How does the strain of birth vanish with the thickness? And up to which strain do "
+        "the thinnest sheets wrinkle?",
+        figures=("birth", "compression"),
+        tables=("birth", "compression"),
     ),
     SectionEntry(
         number=7,
