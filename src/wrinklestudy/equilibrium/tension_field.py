@@ -24,7 +24,7 @@ from wrinklestudy.typing import Array
 
 # 4 x 4 Gauss points: with 3 x 3 the number of Newton steps grows as the mesh gets finer across.
 _ORDER = 7
-_REMAINDERS = (0.1, 0.01, 0.0)
+_REMAINDERS = (0.01, 0.0)
 _SHORTER = (1e-3, 1e-4, 0.0)  # steps for the rest of the way, where the last one was too long
 _ON_THE_WAY = 1e-7  # tolerance with a remainder, whose minimum is a first guess
 _LEAST_CELLS = 4
@@ -36,7 +36,7 @@ _OPTIONS = newton.NewtonOptions(
     max_iterations=100,
     # Steps are bounded by shifts and not shortened: the regions change within a step, and half a
     # step would have to be halved again many times.
-    first_shift=1e-5,
+    first_shift=1e-2,
     rise=1.0,
     noise=flat.ROUNDING,
     smooth=False,

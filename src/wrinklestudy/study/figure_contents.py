@@ -32,10 +32,14 @@ def sheets_shown(study: StudyConfig, figure: FigureEntry) -> Sheets:
 
 
 def states_shown(study: StudyConfig, figure: FigureEntry) -> tuple[Case, ...]:
-    """Return the states of the figure sheet that a figure shows."""
-    available = [case.strain for case in study.cases_of(study.figure_sheet)]
-    strains = figure.strains_shown(available)
-    return tuple(Case(study.figure_sheet, strain) for strain in strains)
+    """Return the states that a figure shows, of the figure sheet unless it selects others."""
+    if not figure.strains:
+        return ()
+    return tuple(
+        Case(sheet, strain)
+        for sheet in figure.states_of(study)
+        for strain in figure.strains_shown([case.strain for case in study.cases_of(sheet)])
+    )
 
 
 def measured(study: StudyConfig, figure: FigureEntry) -> list[str]:
@@ -66,7 +70,9 @@ def cases_text(study: StudyConfig, figure: FigureEntry) -> str:
         )
         return ", ".join(fits)
     states = states_shown(study, figure)
-    shown = {study.figure_sheet: states} if states else {}
+    shown = {
+        state.sheet: tuple(case for case in states if case.sheet == state.sheet) for state in states
+    }
     shown |= {sheet: study.cases_of(sheet) for sheet in sheets_shown(study, figure)}
     texts = [
         f"{sheet.material}, {_size(sheet)}: {_strains_text([case.strain for case in cases])}"

@@ -1,6 +1,6 @@
 """What this study shows: a section for each question that the paper leaves open."""
 
-from wrinklestudy.studies.beyond.selections import own_rubber, rubbers, same_length
+from wrinklestudy.studies.beyond.selections import own_rubber, rubbers, same_length, thinnest
 from wrinklestudy.study.catalogue import Catalogue, FigureEntry, SectionEntry, TableEntry
 
 _HERE = "wrinklestudy.studies.beyond"
@@ -18,6 +18,30 @@ _FIGURES = (
         part=_FIELD,
         module=f"{_HERE}.figures.thin_limit",
         sheets=same_length,
+        analyses=("tension",),
+    ),
+    FigureEntry(
+        name="side_by_side",
+        title="the wrinkled region of the tension field and of the thinnest sheet",
+        caption="A quarter of the undeformed sheet, its centre at the lower left. Left: wrinkled "
+        "region of the tension field (shaded) with its fibres, along which wrinkles run. Right: "
+        "deflection of the thinnest sheet. The line is the edge of the field's region in both.",
+        part=_FIELD,
+        module=f"{_HERE}.figures.side_by_side",
+        strains=(0.1,),
+        states_of=thinnest,
+        analyses=("tension",),
+    ),
+    FigureEntry(
+        name="field_curves",
+        title="force, widths and hidden width on the way to the tension field",
+        caption="Force, arc width and projected width of sheets relative to those of the tension "
+        "field, over strain; and Φ² on lines across the sheet, from the centre to the clamp.",
+        part=_FIELD,
+        module=f"{_HERE}.figures.field_curves",
+        sheets=same_length,
+        strains=(0.1,),
+        states_of=same_length,
         analyses=("tension",),
     ),
     FigureEntry(
@@ -155,7 +179,7 @@ _SECTIONS = (
         number=2,
         title="2. The thin limit",
         asked="How do sheets come to the tension field as they get thinner?",
-        figures=("thin_limit",),
+        figures=("thin_limit", "side_by_side", "field_curves"),
         tables=(),
     ),
     SectionEntry(

@@ -16,7 +16,7 @@ _LINEAR = 1e-6  # excess up to which the axis is linear
 def draw(inputs: Inputs) -> Figure:
     """Draw the end of compression over C01/C10, and the excess over strain behind it."""
     figure = style.new(style.WIDE, 6.0)
-    left, right = figure.subplots(1, 2)
+    left, right = figure.subplots(1, 2, width_ratios=[1.15, 1.0])
     table = inputs.table("compression")
     found = endings(table, inputs.material)
     _ends(left, found)
@@ -36,7 +36,8 @@ def draw(inputs: Inputs) -> Figure:
     right.axhline(0.0, color=style.GREY, lw=0.6)
     right.set_xlabel(r"strain $\varepsilon$")
     right.set_ylabel(r"$n/\sqrt{b} - 1$ at the centre")
-    right.legend(title=f"$L/W = {_nearest(found):g}$, $C_{{01}}/C_{{10}}$", ncols=2, loc="best")
+    title = f"$L/W = {_nearest(found):g}$, $C_{{01}}/C_{{10}}$:"
+    right.legend(title=title, bbox_to_anchor=(1.0, 1.0), loc="upper left", labelspacing=0.3)
     style.grow(figure, style.legend_above(left, columns=4))
     return figure
 
