@@ -25,7 +25,8 @@ _FIGURES = (
         title="the wrinkled region of the tension field and of the thinnest sheet",
         caption="A quarter of the undeformed sheet, its centre at the lower left. Left: wrinkled "
         "region of the tension field (shaded) with its fibres, along which wrinkles run. Right: "
-        "deflection of the thinnest sheet. The line is the edge of the field's region in both.",
+        "deflection of the thinnest sheet. The line in both is the edge of the field's region, "
+        "where the excess of width is 1% of its largest.",
         part=_FIELD,
         module=f"{_HERE}.figures.side_by_side",
         strains=(0.1,),

@@ -38,7 +38,7 @@ def draw(inputs: Inputs) -> Figure:
             off = 100.0 * (value[solved] / field - 1.0)
             axes.plot(strain[solved], off, look.marker + "-", color=look.color, label=label)
         axes.set_xlabel(r"$\varepsilon$")
-        axes.set_ylabel(f"{name}, over that of the field (%)")
+        axes.set_ylabel(f"{name}: off the field by (%)")
     states = [state for state in inputs.states_of_sheets() if state.status == "wrinkled"]
     field = nearest_field(inputs, states[0])
     along.plot(field.x, field.phi_squared, "k-", lw=1.2)

@@ -12,18 +12,19 @@ from wrinklestudy.study.figures.series import number
 
 _SAMPLES = 6  # per cell
 _FIBRES = 1.1  # density of the lines
+_EDGE = 0.01  # of the largest excess: rounding at the free edge, where there is none, is less
 
 
 def draw(inputs: Inputs) -> Figure:
     """Draw a quarter of both in the undeformed sheet, with the edge of the field's wrinkles."""
     state = next(one for one in inputs.states_of_sheets() if one.sheet is not None)
     field = nearest_field(inputs, state)
-    figure = style.new(style.WIDE, 5.6)
+    figure = style.new(style.WIDE, 4.2)
     left, right = figure.subplots(1, 2, sharex=True, sharey=True)
     _field(left, field)
     _sheet(figure, right, state)
     for axes in (left, right):
-        axes.contour(field.x, field.y, field.excess.T, [0.0], colors=[style.VERMILLION])
+        axes.contour(field.x, field.y, field.excess.T, [_edge(field)], colors=[style.VERMILLION])
         axes.set_aspect("equal")
         axes.set_xlabel("$X/W$")
     left.set_ylabel("$Y/W$")
@@ -39,9 +40,13 @@ def nearest_field(inputs: Inputs, state: StateFile) -> FieldLines:
     return min(same, key=lambda field: abs(field.strain - state.strain))
 
 
+def _edge(field: FieldLines) -> float:
+    return _EDGE * float(field.excess.max())
+
+
 def _field(axes: Axes, field: FieldLines) -> None:
     """Shade the wrinkled region, and draw the fibres, which run along its wrinkles."""
-    wrinkled = np.where(field.excess > 0.0, 1.0, np.nan)
+    wrinkled = np.where(field.excess > _edge(field), 1.0, np.nan)
     shade = ListedColormap([style.SKY])
     axes.pcolormesh(
         field.x, field.y, wrinkled.T, cmap=shade, alpha=0.35, shading="nearest", rasterized=True
