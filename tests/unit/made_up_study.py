@@ -1,6 +1,7 @@
 """A made-up study of sheets as the paper describes them, for the tests of the claims."""
 
 import numpy as np
+import pandas as pd
 from made_up_rows import limits_row, state_row
 
 from wrinklestudy.material.result import Fit
@@ -151,6 +152,23 @@ def world(materials=MATERIALS, wanted=("latex", 2.0, 1e-3), **changes):
     kept = {name: SHEETS[name] | (changes.get(name) or {}) for name in SHEETS}
     sheets = tuple(sheet(**kept[name]) for name in kept if changes.get(name, {}) is not None)
     return StudyTables(sheets, materials, wanted)
+
+
+def field_table(factor=1.0, **columns):
+    """Return a tension field with the sheet's arc width and a multiple of its Phi^2."""
+    own = world().sheet.columns
+    arc, phi_squared = own["arc_width_over_width"], factor * own["phi_squared"]
+    table = {
+        "material": "latex",
+        "aspect": 2.0,
+        "strain": STRAIN,
+        "status": "wrinkled",
+        "remainder": 0.0,
+        "arc_width_over_width": arc,
+        "projected_width_over_width": arc / (1.0 + phi_squared),
+        "phi_squared": phi_squared,
+    }
+    return pd.DataFrame(table | columns)
 
 
 def all_bending(**changes):

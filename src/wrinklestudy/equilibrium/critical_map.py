@@ -121,7 +121,7 @@ def critical_states(
         Called with each strain when it is done.
     """
     space = grid if isinstance(grid, Space) else Space(grid)
-    path = _FlatPath(space, law)
+    path = FlatPath(space, law)
     kinds = [(bending, parity) for bending in bendings for parity in parities]
     guesses = {kind: _ModeGuess() for kind in kinds}
     states: list[CriticalState] = []
@@ -136,7 +136,7 @@ def critical_states(
 
 
 @dataclass
-class _FlatPath:
+class FlatPath:
     """Flat states at growing strains, each started from those before it."""
 
     space: Space
@@ -144,6 +144,13 @@ class _FlatPath:
     known: list[tuple[float, Array]] = field(default_factory=list)
 
     def solve(self, strain: float) -> Flat:
+        """Return the flat state at a strain, the largest so far.
+
+        Raises
+        ------
+        NotConvergedError
+            As `flat.solve`.
+        """
         flat = solve_flat(self.space, self.law, strain, start=self._start(strain))
         beyond = flat.position - stretched(self.space, strain)
         self.known = [*self.known[1 - _REMEMBERED :], (strain, beyond)]

@@ -134,6 +134,11 @@ def confined_widths(field: TensionField, x: Array) -> tuple[Array, Array]:
     return projected + 2.0 * hidden @ weights, projected
 
 
+def line_weights(lines: Array) -> tuple[Array, Array]:
+    """Return points across the cells between grid lines, and weights that integrate over them."""
+    return _midpoints(lines), _weights(lines)
+
+
 def _midpoints(lines: Array) -> Array:
     edges = subdivided(lines, _PER_CELL)
     return 0.5 * (edges[:-1] + edges[1:])

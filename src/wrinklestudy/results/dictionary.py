@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from wrinklestudy.files.storage import atomic_path
 from wrinklestudy.results.rows import Column
 from wrinklestudy.results.tables import (
+    COMPRESSION_COLUMNS,
     MAP_COLUMNS,
     PEAK_COLUMNS,
     STABILITY_COLUMNS,
@@ -71,6 +72,12 @@ _TENSION = """
 `wrinklestudy tension-field --json` gives.
 """
 
+_COMPRESSION = """
+## Compression
+
+`results/compression/{material}/aspect{aspect}.csv`, one row per strain.
+"""
+
 
 def page() -> str:
     """Return the data dictionary as Markdown."""
@@ -87,6 +94,8 @@ def page() -> str:
         *_table(MAP_COLUMNS),
         _TENSION,
         *_table(TENSION_COLUMNS),
+        _COMPRESSION,
+        *_table(COMPRESSION_COLUMNS),
     ]
     return "".join(blocks)
 

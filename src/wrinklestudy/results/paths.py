@@ -43,6 +43,7 @@ STAGES: Mapping[str, Stage] = {
         {"table": "{material}/aspect{aspect}.csv", "fields": "{material}/aspect{aspect}.h5"},
         analysis=True,
     ),
+    "compression": Stage({"table": "{material}/aspect{aspect}.csv"}, analysis=True),
     "wrinkle": Stage({"state": f"{_SHEET}/strain{{strain}}.h5"}),
     "metrics": Stage({"table": f"{_SHEET}.csv"}),
     "summary": Stage(

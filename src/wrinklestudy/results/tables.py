@@ -11,6 +11,7 @@ from os import fspath
 from typing import TYPE_CHECKING, Any
 
 from wrinklestudy.files.storage import atomic_path
+from wrinklestudy.results.compression import CompressionRow
 from wrinklestudy.results.maps import MapRow
 from wrinklestudy.results.rows import (
     Column,
@@ -34,6 +35,7 @@ STATE_COLUMNS = columns(StateRow)
 STABILITY_COLUMNS = columns(StabilityRow)
 MAP_COLUMNS = columns(MapRow)
 TENSION_COLUMNS = columns(TensionRow)
+COMPRESSION_COLUMNS = columns(CompressionRow)
 PEAK_COLUMNS: Mapping[str, Column] = {
     name: column
     for name, column in columns(SheetRow).items()
@@ -62,6 +64,11 @@ def write_peaks(rows: Sequence[SheetRow], output: AnyPath) -> None:
 def write_tension_rows(rows: Sequence[TensionRow], output: AnyPath) -> None:
     """Write tension fields as a table, sorted by material, L/W and strain."""
     _write(rows, TENSION_COLUMNS, output)
+
+
+def write_compression(rows: Sequence[CompressionRow], output: AnyPath) -> None:
+    """Write the centre of flat sheets as a table, sorted by material, L/W and strain."""
+    _write(rows, COMPRESSION_COLUMNS, output)
 
 
 def write_map(rows: Sequence[MapRow], output: AnyPath) -> None:

@@ -132,6 +132,8 @@ class FieldLines:
         Natural over actual width, less one, on a grid of points.
     y : (n,) array
         Material coordinate of these points over W, from the mid-line to the free edge.
+    direction : (m, n) array
+        Angle of the fibre, the line of the larger stretch, with the x axis of the undeformed sheet.
     """
 
     material: str
@@ -142,6 +144,7 @@ class FieldLines:
     projected_width: Array
     excess: Array
     y: Array
+    direction: Array
 
     @property
     def phi_squared(self) -> Array:
@@ -160,7 +163,9 @@ def write_tension(
     y = np.linspace(0.0, grid.y[-1], _LINES)
     converged = [field for field in fields if field.converged]
     widths = np.array([confined_widths(field, x) for field in converged]).reshape(-1, 2, _LINES)
-    excess = np.array([sample(field, x, y).excess for field in converged])
+    points = [sample(field, x, y) for field in converged]
+    excess = np.array([point.excess for point in points])
+    direction = np.array([point.direction for point in points])
     datasets = {
         "grid/x": grid.x,
         "grid/y": grid.y,
@@ -171,6 +176,7 @@ def write_tension(
         "lines/arc_width": widths[:, 0],
         "lines/projected_width": widths[:, 1],
         "lines/excess": excess.reshape(-1, _LINES, _LINES).astype(np.float32),
+        "lines/direction": direction.reshape(-1, _LINES, _LINES).astype(np.float32),
     }
     attrs = {
         "units": "lengths in W",
@@ -194,6 +200,7 @@ def read_lines(path: AnyPath) -> list[FieldLines]:
             data["lines/projected_width"][k],
             data["lines/excess"][k],
             data["lines/y"],
+            data["lines/direction"][k],
         )
         for k in range(len(data["strain"]))
     ]

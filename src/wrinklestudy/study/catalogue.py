@@ -12,7 +12,7 @@ from typing import Literal
 
 from wrinklestudy.results.cases import NAME_PATTERN
 from wrinklestudy.results.paths import STAGES
-from wrinklestudy.study.selections import Sheets, SheetsOfConfig, no_sheets
+from wrinklestudy.study.selections import Sheets, SheetsOfConfig, figure_sheet, no_sheets
 
 # Kinds of measured data: `study.measurements`.
 MEASURED_KINDS = ("stress", "amplitude", "wavelength", "profiles")
@@ -40,14 +40,16 @@ class FigureEntry:
         Selects, from a config, the sheets whose tables the figure is drawn from:
         `study.selections`.
     strains : tuple of float or "all"
-        Strains of the figure sheet at which states are shown, or the nearest ones computed.
+        Strains at which states are shown, or the nearest ones computed.
+    states_of : callable
+        Selects the sheets whose states are shown at these strains.
     measured : tuple of str
         Kinds of measured data drawn over it, out of `MEASURED_KINDS`.
     materials : bool
         Whether the figure compares the fitted materials of the study.
     constants : bool
-        Whether the figure needs the constants of materials: those of its sheets, and all that are
-        fitted.
+        Whether the figure needs the constants of materials: those of its sheets and analyses, and
+        all that are fitted.
     analyses : tuple of str
         Stages that are analyses (`results.paths.Stage`) whose files the figure is drawn from, those
         of the whole study.
@@ -66,6 +68,7 @@ class FigureEntry:
     part: str = "Figures"
     sheets: Callable[[SheetsOfConfig], Sheets] = no_sheets
     strains: tuple[float, ...] | Literal["all"] = ()
+    states_of: Callable[[SheetsOfConfig], Sheets] = figure_sheet
     measured: tuple[str, ...] = ()
     materials: bool = False
     constants: bool = False

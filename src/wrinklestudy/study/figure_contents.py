@@ -21,7 +21,9 @@ def constants_shown(study: StudyConfig, figure: FigureEntry) -> tuple[str, ...]:
     if not figure.constants:
         return ()
     fitted = {name for name, material in study.materials.items() if material.data is not None}
-    return tuple(sorted(fitted | {study.base(s.material) for s in sheets_shown(study, figure)}))
+    models = {sheet.material for sheet in sheets_shown(study, figure)}
+    models |= {model for stage in figure.analyses for model, _ in study.analyses(stage)}
+    return tuple(sorted(fitted | {study.base(model) for model in models}))
 
 
 def sheets_shown(study: StudyConfig, figure: FigureEntry) -> Sheets:
@@ -30,10 +32,14 @@ def sheets_shown(study: StudyConfig, figure: FigureEntry) -> Sheets:
 
 
 def states_shown(study: StudyConfig, figure: FigureEntry) -> tuple[Case, ...]:
-    """Return the states of the figure sheet that a figure shows."""
-    available = [case.strain for case in study.cases_of(study.figure_sheet)]
-    strains = figure.strains_shown(available)
-    return tuple(Case(study.figure_sheet, strain) for strain in strains)
+    """Return the states that a figure shows, of the figure sheet unless it selects others."""
+    if not figure.strains:
+        return ()
+    return tuple(
+        Case(sheet, strain)
+        for sheet in figure.states_of(study)
+        for strain in figure.strains_shown([case.strain for case in study.cases_of(sheet)])
+    )
 
 
 def measured(study: StudyConfig, figure: FigureEntry) -> list[str]:
@@ -64,14 +70,17 @@ def cases_text(study: StudyConfig, figure: FigureEntry) -> str:
         )
         return ", ".join(fits)
     states = states_shown(study, figure)
-    shown = {study.figure_sheet: states} if states else {}
+    shown = {
+        state.sheet: tuple(case for case in states if case.sheet == state.sheet) for state in states
+    }
     shown |= {sheet: study.cases_of(sheet) for sheet in sheets_shown(study, figure)}
     texts = [
         f"{sheet.material}, {_size(sheet)}: {_strains_text([case.strain for case in cases])}"
         for sheet, cases in shown.items()
     ]
     texts += [
-        f"{stage} of {model}, L/W = {format_value(aspect)}: {_strains_text(list(strains))}"
+        f"{stage} of {model}, L/W = {format_value(aspect)}"
+        + (f": {_strains_text(list(strains))}" if strains else "")
         for stage in figure.analyses
         for (model, aspect), strains in study.analyses(stage).items()
     ]

@@ -24,6 +24,7 @@ _NEEDS_STRAINS = {
     "metrics": "this sheet (sheets)",
     "map": "this model and L/W (maps)",
     "tension": "this material and L/W (tension)",
+    "compression": "this material and L/W (compression)",
 }
 
 
@@ -78,7 +79,7 @@ def _wildcards(pattern: str, path: str) -> dict[str, str] | None:
 
 def _models(study: StudyConfig, stage: str) -> list[str]:
     """Return the names allowed for {material}; some stages are about materials only."""
-    only_materials = stage in ("material", "tension")
+    only_materials = stage in ("material", "tension", "compression")
     return [*study.materials] if only_materials else [*study.materials, *study.variants]
 
 

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from made_up_rows import SHEET, state_row
-from made_up_study import NEVER, STRAIN, all_bending, lengths, material, world
+from made_up_study import NEVER, STRAIN, all_bending, field_table, lengths, material, world
 
 from wrinklestudy.study.claims.discovery import load_claims
 from wrinklestudy.study.claims.finding import VERDICTS
@@ -160,8 +160,6 @@ CASES = [
     ("non-monotonic", world(base={"phi_squared": np.cos(40 * STRAIN) ** 2}), "disagree"),
     ("order-of-magnitude", world(base={"phi_max": 1e-6}), "disagree"),
     ("order-of-magnitude", world(base={"phi_max": 8e-4}), "depends on"),
-    ("tension-field", world(thin={"phi_max": 2.5e-3}), "disagree"),
-    ("tension-field", world(thin=None), "not computed"),
     ("hookean-maximum", world(base={"peak": 0.2}), "disagree"),
     ("single-constant", world(base=STEEP), "disagree"),
     ("single-constant", world(base={"constants": STEEP["constants"]}), "depends on"),
@@ -180,12 +178,35 @@ CASES = [
     ("persist-to-two-fifths", world(fixed={"decay": 0.32}, fvk={"decay": 0.59}), "depends on"),
 ]
 
+# claim, Phi^2 of the tension field over that of the sheet, other columns of its table, verdict
+FIELDS = [
+    ("tension-field", 1.19, {}, "agree"),
+    ("tension-field", 3.0, {}, "disagree"),
+    ("tension-field", 0.5, {}, "disagree"),
+    ("tension-field", 1.0, {"aspect": 3.0}, "not computed"),
+    ("tension-field", 1.0, {"remainder": 0.1}, "not computed"),
+    ("tension-field", 1.0, {"status": "not-converged"}, "not computed"),
+    ("tension-field", 1.0, {"strain": STRAIN + 0.003}, "not computed"),
+]
+
 BY_KEY = {claim.key: claim for claim in CLAIMS}
 
 
+@pytest.fixture
+def with_field(tmp_path):
+    """Return a function that adds a tension field to a study, by default that of its sheet."""
+
+    def add(study, factor=1.0, **columns):
+        path = tmp_path / "tension.csv"
+        field_table(factor, **columns).to_csv(path, index=False)
+        return replace(study, analyses={"tension": {"table": [path]}})
+
+    return add
+
+
 @pytest.mark.parametrize(("key", "verdict"), AS_THE_PAPER.items())
-def test_a_study_as_the_paper_has_it_agrees(key, verdict):
-    finding = BY_KEY[key].finding(world())
+def test_a_study_as_the_paper_has_it_agrees(key, verdict, with_field):
+    finding = BY_KEY[key].finding(with_field(world()))
     assert finding.verdict == verdict, finding
 
 
@@ -197,9 +218,23 @@ def test_other_physics_gives_another_verdict(key, study, verdict):
     assert not re.search(r"\b(nan|inf)\b", finding.explanation)
 
 
+@pytest.mark.parametrize(("key", "factor", "columns", "verdict"), FIELDS)
+def test_another_tension_field_gives_another_verdict(key, factor, columns, verdict, with_field):
+    finding = BY_KEY[key].finding(with_field(world(), factor, **columns))
+    assert finding.verdict == verdict, finding
+    assert not re.search(r"\b(nan|inf)\b", finding.explanation)
+
+
+def test_a_study_without_tension_fields_says_so():
+    finding = BY_KEY["tension-field"].finding(world())
+    assert finding.verdict == "not computed"
+    assert "tension fields of latex, L/W = 2" in finding.explanation
+
+
 @pytest.mark.parametrize("key", BY_KEY)
 def test_every_claim_can_come_out_either_way(key):
-    verdicts = {verdict for name, _, verdict in CASES if name == key} - {"not computed"}
+    verdicts = {verdict for name, *_, verdict in [*CASES, *FIELDS] if name == key}
+    verdicts -= {"not computed"}
     assert verdicts - {AS_THE_PAPER[key]}
 
 

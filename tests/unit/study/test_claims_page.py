@@ -150,7 +150,7 @@ def test_what_the_study_lacks_is_named_and_nothing_is_dropped(study):
         "none-when-short": "L/W = 1.5",
         "neo-hookean-smaller": "law = neo-hookean",
         "antisymmetric": "parity = symmetric",
-        "tension-field": "thinner",
+        "tension-field": "tension fields of latex, L/W = 2",
     }.items():
         assert found[key]["verdict"] == "not computed"
         assert lack in found[key]["explanation"]

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from made_up_study import MATERIALS, material, sheet, world
+from made_up_study import MATERIALS, STRAIN, field_table, material, sheet, world
 
 from wrinklestudy.studies.panaitescu2019 import table1
 from wrinklestudy.studies.panaitescu2019.claims import confinement
@@ -55,6 +55,26 @@ def test_table_1_has_both_widths_and_the_largest_deviations():
     assert projected.current == table1.TENSION_FIELD
     assert np.isnan(projected.current_value)
     assert table1.rows(world(base=None)) == []
+
+
+def test_table_1_takes_the_widths_of_the_tension_field_where_it_was_solved(tmp_path):
+    path = tmp_path / "tension.csv"
+    field = field_table(factor=2.0)
+    field[field["strain"] != 0.1].to_csv(path, index=False)
+    study = replace(world(), analyses={"tension": {"table": [path]}})
+    projected = {row.strain: row for row in table1.rows(study) if row.quantity == "W_proj"}
+    assert np.isnan(projected[0.1].current_value)
+    phi = projected[0.2].planar / projected[0.2].computed - 1.0
+    assert projected[0.2].current_value == pytest.approx(projected[0.2].planar / (1.0 + 2.0 * phi))
+    note = f"{table1.LARGEST} from current version"
+    (largest,) = [
+        row for row in table1.rows(study) if row.quantity == "W_proj" and row.note == note
+    ]
+    assert largest.strain == 0.06  # where the made-up sheet hides most
+    instead = [row for row in table1.rows(study) if table1.TENSION_FIELD in row.note]
+    assert {row.quantity for row in instead} == {"W_act"}
+    assert abs(instead[-1].deviation_from_current) < 1e-12
+    assert f"{len(STRAIN) - 1} strains" in table1.table(study).note
 
 
 def test_table_1_on_the_page_has_the_numbers_of_the_file():

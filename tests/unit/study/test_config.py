@@ -530,7 +530,7 @@ def test_the_figures_compare_the_material_of_their_sheet_if_nothing_is_said():
 
 def test_a_key_left_out_has_the_value_of_the_library():
     """A study, the command line and a script must not differ by defaults of their own."""
-    bare = {key: RAW[key] for key in ("materials", "variants", "sheets", "figures")}
+    bare = {key: RAW[key] for key in ("materials", "variants", "sheets", "tension", "figures")}
     study = parse_config(bare, "bare.yaml")
     assert MeshSettings(**study.settings("mesh")) == MeshSettings()
     assert planar.PlanarSettings(**study.settings("planar")) == planar.PlanarSettings()
@@ -554,4 +554,4 @@ def test_the_entries_of_an_analysis_are_joined_by_model_and_length():
         ("latex-fvk", 3.0): (0.1, 0.2),
     }
     assert study.analyses("map") == study.maps
-    assert study.tension == {}
+    assert study.tension == parse_config(RAW, "config.yaml").tension

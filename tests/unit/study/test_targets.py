@@ -23,6 +23,7 @@ RAW = {
     ],
     "maps": [{"material": "thick", "aspect": [2, 3], "strain": [0.1, 0.2]}],
     "tension": [{"material": "rubber", "aspect": [2], "strain": [0.1, 0.2]}],
+    "compression": [{"material": "rubber", "aspect": [2, 3]}],
     "figures": {
         "names": ["fig07_width"],
         "sheet": {"material": "rubber", "aspect": 2, "thickness": 1e-3},
@@ -46,6 +47,7 @@ def test_the_files_of_a_study_follow_from_its_cases():
         "stability": 5,
         "map": 2,
         "tension": 2,  # the table and the fields of one job
+        "compression": 2,
         "wrinkle": 9,
         "metrics": 5,
         "summary": 3,

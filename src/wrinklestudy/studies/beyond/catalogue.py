@@ -1,6 +1,6 @@
 """What this study shows: a section for each question that the paper leaves open."""
 
-from wrinklestudy.studies.beyond.selections import own_rubber, rubbers, same_length
+from wrinklestudy.studies.beyond.selections import own_rubber, rubbers, same_length, thinnest
 from wrinklestudy.study.catalogue import Catalogue, FigureEntry, SectionEntry, TableEntry
 
 _HERE = "wrinklestudy.studies.beyond"
@@ -18,6 +18,31 @@ _FIGURES = (
         part=_FIELD,
         module=f"{_HERE}.figures.thin_limit",
         sheets=same_length,
+        analyses=("tension",),
+    ),
+    FigureEntry(
+        name="side_by_side",
+        title="the wrinkled region of the tension field and of the thinnest sheet",
+        caption="A quarter of the undeformed sheet, its centre at the lower left. Left: wrinkled "
+        "region of the tension field (shaded) with its fibres, along which wrinkles run. Right: "
+        "deflection of the thinnest sheet. The line in both is the edge of the field's region, "
+        "where the excess of width is 1% of its largest.",
+        part=_FIELD,
+        module=f"{_HERE}.figures.side_by_side",
+        strains=(0.1,),
+        states_of=thinnest,
+        analyses=("tension",),
+    ),
+    FigureEntry(
+        name="field_curves",
+        title="force, widths and hidden width on the way to the tension field",
+        caption="Force, arc width and projected width of sheets relative to those of the tension "
+        "field, over strain; and Φ² on lines across the sheet, from the centre to the clamp.",
+        part=_FIELD,
+        module=f"{_HERE}.figures.field_curves",
+        sheets=same_length,
+        strains=(0.1,),
+        states_of=same_length,
         analyses=("tension",),
     ),
     FigureEntry(
@@ -83,6 +108,19 @@ _FIGURES = (
         sheets=same_length,
     ),
     FigureEntry(
+        name="compression",
+        title="the strain at which compression at the centre ends, as the thickness vanishes",
+        caption="Left: the strain at which the centre of the flat sheet is compressed no more, "
+        "against C01/C10; the thinnest sheets have no wrinkles there beyond it. Bars: what half "
+        "the cells in each direction and half the strains change, added. Bands: between these "
+        "ratios the end goes to infinity, in all strains that were looked at. Right: how much the "
+        "natural width exceeds the actual one at the centre; compressed above zero.",
+        part=_BIRTH,
+        module=f"{_HERE}.figures.compression",
+        analyses=("compression",),
+        constants=True,
+    ),
+    FigureEntry(
         name="rubber",
         title="birth, decay and height against the constants of the rubber",
         caption="Left: birth and decay strain and largest amplitude against C01/C10, with the "
@@ -116,6 +154,12 @@ _TABLES = (
         module=f"{_HERE}.tables.birth",
     ),
     TableEntry(
+        name="compression",
+        title="Where compression at the centre ends",
+        caption="Strain at which the centre of the flat sheet is compressed no more.",
+        module=f"{_HERE}.tables.compression",
+    ),
+    TableEntry(
         name="rubber",
         title="Birth, decay and height of each rubber",
         caption="Birth, decay and largest amplitude against the constants of the rubber.",
@@ -136,7 +180,7 @@ _SECTIONS = (
         number=2,
         title="2. The thin limit",
         asked="How do sheets come to the tension field as they get thinner?",
-        figures=("thin_limit",),
+        figures=("thin_limit", "side_by_side", "field_curves"),
         tables=(),
     ),
     SectionEntry(
@@ -161,9 +205,10 @@ _SECTIONS = (
     SectionEntry(
         number=6,
         title="6. Thresholds of thin sheets",
-        asked="How does the strain of birth vanish with the thickness?",
-        figures=("birth",),
-        tables=("birth",),
+        asked="How does the strain of birth vanish with the thickness? And up to which strain do "
+        "the thinnest sheets wrinkle?",
+        figures=("birth", "compression"),
+        tables=("birth", "compression"),
     ),
     SectionEntry(
         number=7,

@@ -34,6 +34,11 @@ def same_length(config: SheetsOfConfig) -> Sheets:
     )
 
 
+def thinnest(config: SheetsOfConfig) -> Sheets:
+    """Select the thinnest sheet of the rubber and L/W of the figure sheet."""
+    return (min(same_length(config), key=lambda sheet: sheet.thickness),)
+
+
 def named(sheets: Iterable[SheetStates], *beginnings: str) -> list[SheetStates]:
     """Return the sheets whose material has a name that begins in one of some ways."""
     return [sheet for sheet in sheets if sheet.material.startswith(beginnings)]

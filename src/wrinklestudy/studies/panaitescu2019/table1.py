@@ -8,6 +8,7 @@ import numpy as np
 
 from wrinklestudy.results.sheets import MissingError
 from wrinklestudy.studies.panaitescu2019 import theory
+from wrinklestudy.studies.panaitescu2019.field import SheetField, sheet_field
 from wrinklestudy.study.claims.extra_table import ExtraTable
 from wrinklestudy.study.claims.tables import StudyTables
 from wrinklestudy.typing import Array
@@ -37,9 +38,9 @@ class Table1Row:
     current, original : str
         Formulas of the paper's version and of the original Cerda-Mahadevan model.
     current_value, original_value : float
-        Their values; NaN where there is no formula.
+        Their values; NaN where the tension field that the paper refers to was not solved.
     note : str
-        Empty, or the column in which the deviation is the largest of all wrinkled states.
+        What the line is apart from a comparison with both formulas at one strain.
     """
 
     quantity: str
@@ -96,7 +97,7 @@ def table(study: StudyTables) -> ExtraTable:
     if not lines:
         lack = "Not computed: the study lacks wrinkled states of the sheet of the text."
         return ExtraTable(COLUMNS, values, note=lack)
-    return ExtraTable(COLUMNS, values, _HEAD, tuple(map(_cells, lines)), _note(lines))
+    return ExtraTable(COLUMNS, values, _HEAD, tuple(map(_cells, lines)), _note(study, lines))
 
 
 def _cells(row: Table1Row) -> tuple[str, ...]:
@@ -113,14 +114,21 @@ def _cells(row: Table1Row) -> tuple[str, ...]:
     )
 
 
-def _note(lines: Sequence[Table1Row]) -> str:
+def _note(study: StudyTables, lines: Sequence[Table1Row]) -> str:
     """Return the note on the formulas behind the columns."""
     formulas = "; ".join(
-        sorted({f"{line.quantity} = {line.current} ({line.original})" for line in lines})
+        dict.fromkeys(f"{line.quantity} = {line.current} ({line.original})" for line in lines)
+    )
+    field = _field(study)
+    solved = (
+        "has no closed form here and is not solved by the study"
+        if field is None
+        else "has no closed form here and is solved numerically, for a sheet without thickness, "
+        f"at {len(field.strain)} strains"
     )
     return (
         f"Widths over W on the mid-line, ν = 1/2. Current version (original model): {formulas}. "
-        f"{TENSION_FIELD.capitalize()} has no closed form here and is not solved by the study."
+        f"{TENSION_FIELD.capitalize()} {solved}."
     )
 
 
@@ -140,14 +148,30 @@ def rows(study: StudyTables) -> list[Table1Row]:
         )
     except MissingError:
         return []
-    linear = theory.actual_width(strain)
-    nothing, whole = np.full_like(strain, np.nan), np.ones_like(strain)
+    linear, whole = theory.actual_width(strain), np.ones_like(strain)
+    actual = _quantity("W_act", strain, arc, planar, (_LINEAR, linear), ("W", whole))
+    field = _field(study)
+    if field is None:
+        nothing = np.full_like(strain, np.nan)
+        current = (TENSION_FIELD, nothing)
+        return [
+            *actual,
+            *_quantity("W_proj", strain, projected, planar, current, (_LINEAR, linear)),
+        ]
+    current = (TENSION_FIELD, field.at("projected_width", strain))
+    of_field = (TENSION_FIELD, field.at("arc_width", strain))
     return [
-        *_quantity("W_act", strain, arc, planar, (_LINEAR, linear), ("W", whole)),
-        *_quantity(
-            "W_proj", strain, projected, planar, (TENSION_FIELD, nothing), (_LINEAR, linear)
-        ),
+        *actual,
+        *_quantity("W_act", strain, arc, planar, of_field, ("W", whole), f"with {TENSION_FIELD}"),
+        *_quantity("W_proj", strain, projected, planar, current, (_LINEAR, linear)),
     ]
+
+
+def _field(study: StudyTables) -> SheetField | None:
+    try:
+        return sheet_field(study)
+    except MissingError:
+        return None
 
 
 def _quantity(
@@ -157,10 +181,17 @@ def _quantity(
     planar: Array,
     current: tuple[str, Array],
     original: tuple[str, Array],
+    instead: str = "",
 ) -> list[Table1Row]:
-    """Return the lines of one quantity: at a few strains, then the largest deviations."""
+    """Return the lines of one quantity: at a few strains, then the largest deviations.
 
-    def row(k: int, note: str = "") -> Table1Row:
+    Parameters
+    ----------
+    instead : str
+        What these lines compare with in place of the paper's version, if anything.
+    """
+
+    def row(k: int, note: str) -> Table1Row:
         return Table1Row(
             name,
             float(strain[k]),
@@ -174,8 +205,12 @@ def _quantity(
         )
 
     shown = sorted({int(np.argmin(np.abs(strain - wanted))) for wanted in STRAINS})
-    lines = [row(k) for k in shown]
-    for text, (_, value) in (("current version", current), ("original model", original)):
-        if np.isfinite(value).all():
-            lines.append(row(int(np.argmax(np.abs(computed - value))), f"{LARGEST} from {text}"))
+    lines = [row(k, instead) for k in shown]
+    versions = [(TENSION_FIELD if instead else "current version", current[1])]
+    if not instead:
+        versions.append(("original model", original[1]))
+    for text, value in versions:
+        if np.isfinite(value).any():
+            largest = int(np.nanargmax(np.abs(computed - value)))
+            lines.append(row(largest, f"{LARGEST} from {text}"))
     return lines

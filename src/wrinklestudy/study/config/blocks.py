@@ -128,11 +128,16 @@ def _strain_kind(value: Any) -> str:
     return "range" if isinstance(value, Mapping | StrainRange) else "list"
 
 
-class AnalysisBlock(Block):
-    """All combinations of the listed aspects and strains, for what holds at any thickness."""
+class LengthsBlock(Block):
+    """A material with all listed aspects, for what holds at any thickness and strain."""
 
     material: Name = Field(description="one of the materials or variants")
     aspect: Filled[Aspect] = Field(description="length over width, L/W")
+
+
+class AnalysisBlock(LengthsBlock):
+    """All combinations of the listed aspects and strains, for what holds at any thickness."""
+
     strain: Annotated[
         Annotated[Filled[Strain], Tag("list")] | Annotated[StrainRange, Tag("range")],
         Discriminator(_strain_kind),

@@ -12,6 +12,7 @@ from wrinklestudy.results import cases
 from wrinklestudy.study.config.blocks import (
     AnalysisBlock,
     FigureSheetBlock,
+    LengthsBlock,
     SheetsBlock,
     StrainRange,
 )
@@ -126,18 +127,19 @@ def _contradictions(study: StudyConfig) -> Iterator[str]:
     yield from _wrong_series("maps", study.map_series, models, "materials or variants")
     # in a tension field there is nothing to bend, and no wrinkle with a parity
     yield from _wrong_series("tension", study.tension_series, materials, "materials")
+    yield from _wrong_series("compression", study.compression_series, materials, "materials")
     yield from _missing_figure_sheets(study)
 
 
 def _wrong_series(
-    block: str, entries: Sequence[AnalysisBlock], known: Sequence[str], where: str
+    block: str, entries: Sequence[LengthsBlock], known: Sequence[str], where: str
 ) -> Iterator[str]:
     for i, series in enumerate(entries):
         key = f"{block}[{i}]"
         if series.material not in known:
             hint = closest(series.material, known)
             yield f"{key}.material = {series.material!r}: is not in {where}{hint}"
-        if isinstance(series.strain, StrainRange):
+        if isinstance(series, AnalysisBlock) and isinstance(series.strain, StrainRange):
             yield from _wrong_range(f"{key}.strain", series.strain)
 
 

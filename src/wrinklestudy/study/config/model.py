@@ -19,6 +19,7 @@ from wrinklestudy.study.config.blocks import (
     FiguresBlock,
     FoldersBlock,
     GateBlock,
+    LengthsBlock,
     MaterialBlock,
     MeshBlock,
     PlateBlock,
@@ -54,6 +55,9 @@ class StudyConfig(Block):
     )
     tension_series: tuple[AnalysisBlock, ...] = Field(
         default=(), alias="tension", description="L/W and strains of tension fields"
+    )
+    compression_series: tuple[LengthsBlock, ...] = Field(
+        default=(), alias="compression", description="L/W at which the end of compression is sought"
     )
     mesh: MeshBlock = Field(default_factory=MeshBlock, description="mesh of the quarter sheet")
     plate: PlateBlock = Field(default_factory=PlateBlock, description="model of the sheet")
@@ -130,9 +134,19 @@ class StudyConfig(Block):
             (s.material, s.aspect, s.strains) for s in self.tension_series
         )
 
+    @cached_property
+    def compression(self) -> Mapping[tuple[str, float], tuple[float, ...]]:
+        """The materials and L/W of which the end of compression is sought; they name no strains."""
+        return {
+            (series.material, cases.canonical(aspect)): ()
+            for series in self.compression_series
+            for aspect in series.aspect
+        }
+
     def analyses(self, stage: str) -> Mapping[tuple[str, float], tuple[float, ...]]:
         """Return the strains of each job of a stage that is an analysis, by model and L/W."""
-        return {"map": self.maps, "tension": self.tension}[stage]
+        by_stage = {"map": self.maps, "tension": self.tension, "compression": self.compression}
+        return by_stage[stage]
 
     @property
     def figure_sheet(self) -> StudySheet:

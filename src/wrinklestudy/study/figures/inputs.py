@@ -62,13 +62,21 @@ class StateFile:
 
     def profile(self, per_cell: int = 8) -> Profile:
         """Return the cross-section half-way between the clamps, in units of W."""
-        return profile_from_state(self._known(), per_cell=per_cell)
+        return profile_from_state(self.known, per_cell=per_cell)
 
     def surface(self, per_cell: tuple[int, int]) -> SampledSurface:
         """Return the full deformed sheet, in units of W."""
-        return full_surface(self._known(), per_cell)
+        return full_surface(self.known, per_cell)
 
-    def _known(self) -> DeformedSheet:
+    @property
+    def known(self) -> DeformedSheet:
+        """The deformed sheet.
+
+        Raises
+        ------
+        ValueError
+            If the state did not converge.
+        """
         if self.sheet is None:
             raise ValueError(f"state at strain {self.strain:g}: {self.status}, has no shape")
         return self.sheet
@@ -122,12 +130,23 @@ class Inputs:
         ValueError
             If there are none, or they are not all of the same sheet.
         """
-        states = sorted((_load_state(path) for path in self.states), key=lambda state: state.strain)
-        if not states:
-            raise ValueError("states: none given, this figure shows states")
+        states = self.states_of_sheets()
         if len({(state.aspect, state.thickness, state.law, state.parity) for state in states}) > 1:
             raise ValueError("states: must be of one sheet (L/W, t/W, law, parity)")
         return states
+
+    def states_of_sheets(self) -> list[StateFile]:
+        """Return the states by strain and thickness, of one sheet or several.
+
+        Raises
+        ------
+        ValueError
+            If there are none.
+        """
+        states = [_load_state(path) for path in self.states]
+        if not states:
+            raise ValueError("states: none given, this figure shows states")
+        return sorted(states, key=lambda state: (state.strain, state.thickness))
 
     def fits(self) -> list[Fit]:
         """Return the fits of the materials, in the order of the files."""
