@@ -6,7 +6,9 @@ from functools import cached_property
 from time import perf_counter
 from typing import Any
 
-from wrinklestudy.equilibrium import planar, stability, tension_field, wrinkled
+from wrinklestudy.equilibrium import flat, planar, stability, tension_field, wrinkled
+from wrinklestudy.equilibrium.critical_shape import WrinkleMode
+from wrinklestudy.equilibrium.modes import critical_mode
 from wrinklestudy.equilibrium.newton import Observer
 from wrinklestudy.equilibrium.ranges import Stability
 from wrinklestudy.fem.grid import MeshSettings, make_grid
@@ -54,12 +56,12 @@ class State:
         ValueError
             If there is no equilibrium to show.
         """
-        found = self.equilibrium
-        flat = found.planar.flat
-        if self.measures is None or found.position is None or flat is None:
+        solved = self.equilibrium
+        unwrinkled = solved.planar.flat
+        if self.measures is None or solved.position is None or unwrinkled is None:
             raise ValueError(f"state at strain {self.strain:g}: {self.status}, has no shape")
-        nodes = flat.space.nodes_from_field(found.position)
-        return DeformedSheet(flat.space.grid, nodes, found.planar.settings.symmetry)
+        nodes = unwrinkled.space.nodes_from_field(solved.position)
+        return DeformedSheet(unwrinkled.space.grid, nodes, solved.planar.settings.symmetry)
 
     @property
     def status(self) -> str:
@@ -230,14 +232,50 @@ class Sheet:
             raise ValueError(f"strain = {strain:g}: must be {STRAIN}")
         self.check_memory()
         start = perf_counter()
-        flat = planar.solve(self.space, self.material, strain, self.settings, observer=observer)
-        found = wrinkled.solve(flat, self.thickness, settings, observer)
+        unwrinkled = planar.solve(
+            self.space, self.material, strain, self.settings, observer=observer
+        )
+        solved = wrinkled.solve(unwrinkled, self.thickness, settings, observer)
         seconds = perf_counter() - start
         measures = None
-        if found.status != "not-converged" and found.position is not None:
-            nodes = self.space.nodes_from_field(found.position)
+        if solved.status != "not-converged" and solved.position is not None:
+            nodes = self.space.nodes_from_field(solved.position)
             measures = measure_sheet(DeformedSheet(self.space.grid, nodes, self.settings.symmetry))
-        return State(strain, found, measures, seconds)
+        return State(strain, solved, measures, seconds)
+
+    def mode(self, strain: float) -> WrinkleMode:
+        """Return the critical mode at a strain: with its shape the thickest sheet wrinkles first.
+
+        The thickness of this sheet only chooses the mesh: -S phi = tau_1^2 B phi holds for any.
+
+        Parameters
+        ----------
+        strain : float
+            eps = (L' - L)/L of the clamps, within `vocabulary.STRAIN`.
+
+        Returns
+        -------
+        WrinkleMode
+            `critical_thickness` and `deflection(x, y)`, lengths in units of W.
+
+        Raises
+        ------
+        ValueError
+            If the strain is not allowed.
+        ArithmeticError
+            If there is no flat state, or no thickness wrinkles; one line.
+        MemoryError
+            If the memory would not hold the problem; one line with its size.
+        """
+        if strain not in STRAIN:
+            raise ValueError(f"strain = {strain:g}: must be {STRAIN}")
+        self.check_memory(wrinkled=False)
+        symmetry = self.settings.symmetry
+        state = flat.solve(self.space, self.material.law, strain, symmetry=symmetry)
+        first = critical_mode(state, self.bending, symmetry)
+        if first.shape is None:
+            raise ArithmeticError(f"strain {strain:g}: wrinkles at no thickness, has no mode")
+        return WrinkleMode.scaled(first.thickness, self.space, first.shape, symmetry)
 
     def tension_field(self, strain: float, observer: Observer | None = None) -> TensionState:
         """Return the limit of no thickness at a strain: the sheet by tension field theory.
