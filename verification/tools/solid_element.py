@@ -123,7 +123,9 @@ class SolidElement:
             for d in degrees
             if self.layers == 2 or self.part == "both" or (d % 2 == 0) == (self.part == "even")
         ]
-        rows = [along[0][i] * along[1][j] * along[2][k] for i in degrees for j in degrees for k in kept]
+        rows = [
+            along[0][i] * along[1][j] * along[2][k] for i in degrees for j in degrees for k in kept
+        ]
         return np.array(rows)
 
     def _legendre(self, local: Array) -> Array:

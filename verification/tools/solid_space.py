@@ -181,7 +181,8 @@ class SolidSpace:
         over = bulk / self.volume
         local = self._local_residual(points.stress)
         local += np.einsum("cmn,mc->nc", coupling, over * mismatch)
-        residual = np.bincount(np.concatenate(self._dofs).ravel(), local.ravel(), self.size)
+        residual = np.zeros(self.size)
+        np.add.at(residual, np.concatenate(self._dofs), local)
         entries = self._entries(law.tangent(gradient, at), coupling * np.sqrt(over)[:, None, None])
         return Condensed(self._scatter(entries), residual[self.free], coupling, mismatch)
 
@@ -197,7 +198,9 @@ class SolidSpace:
             weighted = stress[3 * component : 3 * component + 3] * self.measure
             weighted *= self._scale[:, None]
             gradient = self._gradients[component]
-            rows.append(gradient.reshape(len(gradient), -1) @ weighted.reshape(-1, len(self.volume)))
+            rows.append(
+                gradient.reshape(len(gradient), -1) @ weighted.reshape(-1, len(self.volume))
+            )
         return np.concatenate(rows)
 
     def _coupling(self, cofactor: Array) -> Array:
@@ -276,4 +279,4 @@ def solid_space(
 
 def _refined(lines: Array) -> tuple[Array, Array, Array]:
     cells = len(lines) - 1
-    return np.arange(ORDER * cells + 1) / ORDER, np.arange(cells + 1), lines
+    return np.arange(ORDER * cells + 1) / ORDER, np.arange(cells + 1.0), lines

@@ -100,9 +100,7 @@ class SolidSheet:
             if self.known:
                 nearest = min(self.known, key=lambda other: abs(other - strain))
                 known = self.known[nearest]
-                lacking = known.displacement - self._raised(
-                    space, self._plate(nearest), nearest
-                )
+                lacking = known.displacement - self._raised(space, self._plate(nearest), nearest)
                 start = start + np.where(space.free, lacking, 0.0)
             self.known[strain] = self._solve(space, start)
         return self.known[strain]
@@ -194,8 +192,9 @@ class SolidSheet:
         )
         # root K^-1 root has the eigenvalues 1/kappa
         start = root * np.random.default_rng(0).standard_normal(size)
-        values, vectors = eigsh(inverse, k=1, which="SA" if solver.negative_eigenvalues else "LA",
-                                v0=start, tol=1e-9)
+        values, vectors = eigsh(
+            inverse, k=1, which="SA" if solver.negative_eigenvalues else "LA", v0=start, tol=1e-9
+        )
         shape = np.zeros(odd.size)
         shape[odd.free] = solver.solve(root * vectors[:, 0])
         middle_shape = odd.nodes(shape)[middle][0]
@@ -222,7 +221,9 @@ def cubic(lines: Array, values: Array, at: Array) -> Array:
     at : (m,) array
         Points between the first and the last node.
     """
-    cell = np.clip(np.searchsorted(lines[::ORDER], at, side="right") - 1, 0, len(lines) // ORDER - 1)
+    cell = np.clip(
+        np.searchsorted(lines[::ORDER], at, side="right") - 1, 0, len(lines) // ORDER - 1
+    )
     nodes = ORDER * cell[:, None] + np.arange(ORDER + 1)
     place = (at[:, None] - lines[nodes][:, :1]) / (lines[nodes][:, -1:] - lines[nodes][:, :1])
     result = np.zeros(len(at))
