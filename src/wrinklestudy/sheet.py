@@ -14,7 +14,7 @@ from wrinklestudy.equilibrium.ranges import Stability
 from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.size import ProblemSize
 from wrinklestudy.fem.space import Space
-from wrinklestudy.mechanics.bending import bending_law_of
+from wrinklestudy.mechanics.bending import check_bending
 from wrinklestudy.mechanics.laws import Material, describe
 from wrinklestudy.metrics.confinement import Confinement, confinement
 from wrinklestudy.metrics.interpolant import DeformedSheet
@@ -166,7 +166,7 @@ class Sheet:
             raise ValueError(f"aspect = {self.aspect:g}: must be {ASPECT}")
         if self.thickness not in THICKNESS:
             raise ValueError(f"thickness = {self.thickness:g}: must be {THICKNESS}{self._mesh()}")
-        bending_law_of(self.bending)
+        check_bending(self.material.law, self.bending)
         if self.parity not in PARITIES:
             raise ValueError(f"parity = {self.parity!r}: must be one of {', '.join(PARITIES)}")
 
