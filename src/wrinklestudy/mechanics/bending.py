@@ -224,7 +224,7 @@ def bending_law_of(name: str) -> BendingLaw:
     return BENDING_LAWS[name]
 
 
-def check_bending(law: Law, name: str) -> None:
+def check_bending(law: Law | type[Law], name: str) -> None:
     """Refuse a bending law that is unknown or does not go with a material law.
 
     Raises
