@@ -181,7 +181,7 @@ def _wrong_variants(study: StudyConfig) -> Iterator[str]:
 
 def _wrong_bendings(study: StudyConfig) -> Iterator[str]:
     """Yield which models of sheets and maps bend by a law that does not go with their material."""
-    used = {name for entry in (*study.sheets, *study.map_series) for name in entry.materials}
+    used = {series.material for series in (*study.sheets, *study.map_series)}
     for name in sorted(used):
         variant = study.variants.get(name)
         material = study.materials.get(name if variant is None else variant.material)
