@@ -18,10 +18,10 @@ SNAKEMAKE := $(BIN)/python workflow/unlock.py && $(BIN)/snakemake --cores $(CORE
 ONE_THREAD := OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 .DEFAULT_GOAL := help
-.PHONY: help env figures quick beyond report explorer film docs test verify bench lint schema lock
+.PHONY: help env figures quick beyond report explorer film docs test verify verify-solid bench lint schema lock
 
 help: ## list the targets
-	@sed -n 's/^\([a-z]*\):.*## /  make \1	/p' $(MAKEFILE_LIST)
+	@sed -n 's/^\([a-z-]*\):.*## /  make \1	/p' $(MAKEFILE_LIST)
 
 env: $(READY) ## set up .venv with the locked requirements and this package
 
@@ -67,6 +67,9 @@ test: $(READY) ## run the tests, with the quick study as one of them
 
 verify: $(READY) ## compute the evidence that the numbers are right: docs/verification.md
 	$(SNAKEMAKE) --snakefile verification/Snakefile
+
+verify-solid: $(READY) ## compute the tables of the solid anew, large meshes too (ten minutes): verification/solid_*.csv
+	$(ONE_THREAD) $(BIN)/python -m verification.solid_run
 
 bench: $(READY) ## time the solver and the whole study (half an hour): docs/performance.md
 	@mkdir -p results/bench

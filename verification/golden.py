@@ -17,7 +17,8 @@ from wrinklestudy.fem.grid import MeshSettings
 from wrinklestudy.files.storage import atomic_path
 from wrinklestudy.material.fit import fit
 from wrinklestudy.mechanics.laws import Material
-from wrinklestudy.sheet import Sheet, State
+from wrinklestudy.results.solved import State
+from wrinklestudy.sheet import Sheet
 from wrinklestudy.vocabulary import Parity
 
 DEFAULT = (MeshSettings().cells_along, MeshSettings().cells_across)

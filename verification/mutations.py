@@ -125,6 +125,13 @@ MUTATIONS = (
         "shift = thickness * curvature",
     ),
     Mutation(
+        "solid",
+        "every bending law is that of a fixed thickness",
+        "mechanics/bending.py",
+        "return BENDING_LAWS[name]",
+        'return BENDING_LAWS["fixed-thickness"]',
+    ),
+    Mutation(
         "whole_sheet",
         "classes that break y taken for those that keep it",
         "equilibrium/mirror_stability.py",

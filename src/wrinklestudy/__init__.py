@@ -11,20 +11,23 @@ if TYPE_CHECKING:
     from wrinklestudy.fem.grid import MeshSettings
     from wrinklestudy.material.fit import fit
     from wrinklestudy.mechanics.laws import (
+        foppl_von_karman,
         mooney_rivlin,
         neo_hookean,
         ogden,
         saint_venant_kirchhoff,
         yeoh,
     )
-    from wrinklestudy.sheet import Sheet, State, TensionState
+    from wrinklestudy.results.solved import State, TensionState
+    from wrinklestudy.sheet import Sheet
 
 _HOMES = {
     "MeshSettings": "wrinklestudy.fem.grid",
     "Sheet": "wrinklestudy.sheet",
-    "State": "wrinklestudy.sheet",
-    "TensionState": "wrinklestudy.sheet",
+    "State": "wrinklestudy.results.solved",
+    "TensionState": "wrinklestudy.results.solved",
     "fit": "wrinklestudy.material.fit",
+    "foppl_von_karman": "wrinklestudy.mechanics.laws",
     "mooney_rivlin": "wrinklestudy.mechanics.laws",
     "neo_hookean": "wrinklestudy.mechanics.laws",
     "ogden": "wrinklestudy.mechanics.laws",
@@ -38,6 +41,7 @@ __all__ = [
     "State",
     "TensionState",
     "fit",
+    "foppl_von_karman",
     "mooney_rivlin",
     "neo_hookean",
     "ogden",

@@ -4,129 +4,26 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 from time import perf_counter
-from typing import Any
 
-from wrinklestudy.equilibrium import planar, stability, tension_field, wrinkled
+from wrinklestudy.equilibrium import flat, planar, stability, tension_field, wrinkled
+from wrinklestudy.equilibrium.critical_shape import WrinkleMode
 from wrinklestudy.equilibrium.envelope import envelope
+from wrinklestudy.equilibrium.modes import critical_mode
 from wrinklestudy.equilibrium.newton import Observer
 from wrinklestudy.equilibrium.ranges import Stability
 from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.size import ProblemSize
 from wrinklestudy.fem.space import Space
-from wrinklestudy.mechanics.bending import bending_law_of
+from wrinklestudy.mechanics.bending import check_bending
 from wrinklestudy.mechanics.laws import Material, describe
-from wrinklestudy.metrics.confinement import Confinement, confinement
+from wrinklestudy.metrics.confinement import confinement
 from wrinklestudy.metrics.interpolant import DeformedSheet
-from wrinklestudy.metrics.measure import Measures, measure_sheet
+from wrinklestudy.metrics.measure import measure_sheet
 from wrinklestudy.results.cases import resolved_thickness
-from wrinklestudy.results.fields import state_row
 from wrinklestudy.results.prediction import PredictionRow, prediction_row
-from wrinklestudy.results.rows import StateRow
-from wrinklestudy.results.states import unmeasured, with_measures
-from wrinklestudy.results.tension import TensionRow, tension_row
-from wrinklestudy.vocabulary import ASPECT, PARITIES, STRAIN, THICKNESS, Parity, Status
-
-
-@dataclass(frozen=True)
-class State:
-    """What `Sheet.solve` found at one strain.
-
-    Parameters
-    ----------
-    strain : float
-    equilibrium : wrinkled.Equilibrium
-        Position, energy, inertia and history.
-    measures : Measures or None
-        What is measured on the mid-line, in units of W; None where it did not converge.
-    seconds : float
-        Wall time of the solve.
-    """
-
-    strain: float
-    equilibrium: wrinkled.Equilibrium
-    measures: Measures | None
-    seconds: float
-
-    @property
-    def shape(self) -> DeformedSheet:
-        """The deformed sheet, z = 0 where it is flat.
-
-        Raises
-        ------
-        ValueError
-            If there is no equilibrium to show.
-        """
-        found = self.equilibrium
-        flat = found.planar.flat
-        if self.measures is None or found.position is None or flat is None:
-            raise ValueError(f"state at strain {self.strain:g}: {self.status}, has no shape")
-        nodes = flat.space.nodes_from_field(found.position)
-        return DeformedSheet(flat.space.grid, nodes, found.planar.settings.symmetry)
-
-    @property
-    def status(self) -> str:
-        """'wrinkled', 'flat' or 'not-converged'."""
-        return self.equilibrium.status
-
-    def row(self) -> StateRow:
-        """Return the state as a row of the tables, without what is measured beside x = 0."""
-        row = state_row(self.equilibrium)
-        return unmeasured(row) if self.measures is None else with_measures(row, self.measures)
-
-    def as_dict(self) -> dict[str, Any]:
-        """Return the numbers of the state as plain values, None where there is none.
-
-        The keys are the columns of `results.rows.StateRow` that ``solve --json`` shows, then
-        ``seconds``.
-        """
-        return self.row().shown() | {"seconds": self.seconds}
-
-
-@dataclass(frozen=True)
-class TensionState:
-    """What `Sheet.tension_field` found at one strain.
-
-    Parameters
-    ----------
-    strain : float
-    field : tension_field.TensionField
-        Position, energy, force and history, with the field on a coarser mesh.
-    row : TensionRow
-        The state as a row of the tables.
-    confinement : Confinement or None
-        What is measured on the field, in units of W; None where it did not converge.
-    seconds : float
-        Wall time.
-    """
-
-    strain: float
-    field: tension_field.TensionField
-    row: TensionRow
-    confinement: Confinement | None
-    seconds: float
-
-    @property
-    def status(self) -> Status:
-        """'wrinkled', 'flat' (taut on both mid-lines) or 'not-converged'."""
-        return self.row.status
-
-    @property
-    def reason(self) -> str:
-        """Why it did not converge; empty if it did."""
-        return self.row.reason
-
-    @property
-    def phi_squared_error(self) -> float | None:
-        """Difference of Phi^2 from a mesh with half the cells in each direction, if known."""
-        return self.row.phi_squared_error
-
-    def as_dict(self) -> dict[str, Any]:
-        """Return the numbers of the state as plain values, None where there is none.
-
-        The keys are the columns of `results.tension.TensionRow` that ``tension-field --json``
-        shows, then ``seconds``.
-        """
-        return self.row.shown() | {"seconds": self.seconds}
+from wrinklestudy.results.solved import State, TensionState
+from wrinklestudy.results.tension import tension_row
+from wrinklestudy.vocabulary import ASPECT, PARITIES, STRAIN, THICKNESS, Parity
 
 
 @dataclass(frozen=True)
@@ -166,7 +63,7 @@ class Sheet:
             raise ValueError(f"aspect = {self.aspect:g}: must be {ASPECT}")
         if self.thickness not in THICKNESS:
             raise ValueError(f"thickness = {self.thickness:g}: must be {THICKNESS}{self._mesh()}")
-        bending_law_of(self.bending)
+        check_bending(self.material.law, self.bending)
         if self.parity not in PARITIES:
             raise ValueError(f"parity = {self.parity!r}: must be one of {', '.join(PARITIES)}")
 
@@ -232,14 +129,50 @@ class Sheet:
             raise ValueError(f"strain = {strain:g}: must be {STRAIN}")
         self.check_memory()
         start = perf_counter()
-        flat = planar.solve(self.space, self.material, strain, self.settings, observer=observer)
-        found = wrinkled.solve(flat, self.thickness, settings, observer)
+        unwrinkled = planar.solve(
+            self.space, self.material, strain, self.settings, observer=observer
+        )
+        solved = wrinkled.solve(unwrinkled, self.thickness, settings, observer)
         seconds = perf_counter() - start
         measures = None
-        if found.status != "not-converged" and found.position is not None:
-            nodes = self.space.nodes_from_field(found.position)
+        if solved.status != "not-converged" and solved.position is not None:
+            nodes = self.space.nodes_from_field(solved.position)
             measures = measure_sheet(DeformedSheet(self.space.grid, nodes, self.settings.symmetry))
-        return State(strain, found, measures, seconds)
+        return State(strain, solved, measures, seconds)
+
+    def mode(self, strain: float) -> WrinkleMode:
+        """Return the critical mode at a strain: with its shape the thickest sheet wrinkles first.
+
+        The thickness of this sheet only chooses the mesh: -S phi = tau_1^2 B phi holds for any.
+
+        Parameters
+        ----------
+        strain : float
+            eps = (L' - L)/L of the clamps, within `vocabulary.STRAIN`.
+
+        Returns
+        -------
+        WrinkleMode
+            `critical_thickness` and `deflection(x, y)`, lengths in units of W.
+
+        Raises
+        ------
+        ValueError
+            If the strain is not allowed.
+        ArithmeticError
+            If there is no flat state, or no thickness wrinkles; one line.
+        MemoryError
+            If the memory would not hold the problem; one line with its size.
+        """
+        if strain not in STRAIN:
+            raise ValueError(f"strain = {strain:g}: must be {STRAIN}")
+        self.check_memory(wrinkled=False)
+        symmetry = self.settings.symmetry
+        state = flat.solve(self.space, self.material.law, strain, symmetry=symmetry)
+        first = critical_mode(state, self.bending, symmetry)
+        if first.shape is None:
+            raise ArithmeticError(f"strain {strain:g}: wrinkles at no thickness, has no mode")
+        return WrinkleMode.scaled(first.thickness, self.space, first.shape, symmetry)
 
     def tension_field(self, strain: float, observer: Observer | None = None) -> TensionState:
         """Return the limit of no thickness at a strain: the sheet by tension field theory.

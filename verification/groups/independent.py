@@ -1,4 +1,4 @@
-"""Group 3: an independent isogeometric shell code, point by point."""
+"""Group 3: independent isogeometric shell codes: states point by point, and a buckling mode."""
 
 from pathlib import Path
 from typing import NamedTuple
@@ -8,6 +8,7 @@ import pandas as pd
 from scipy.optimize import brentq
 
 from verification.checks import Check, Group, Table, conclusion, write
+from verification.tools import published_mode
 from wrinklestudy.equilibrium.ranges import Stability
 from wrinklestudy.mechanics.laws import mooney_rivlin
 from wrinklestudy.sheet import Sheet
@@ -204,10 +205,10 @@ def _plot(points: list[ComparedState], path: Path) -> None:
 
 
 def quick() -> list[Check]:
-    """Return the comparison at two strains."""
+    """Return the comparison at two strains, and that of the mode."""
     data = pd.read_csv(DATA, comment="#")
     points = compare(sheet_of_the_data(), data[data.eps.isin(_QUICK)])
-    return _checks(points, np.zeros(len(points)))
+    return [*_checks(points, np.zeros(len(points))), *published_mode.checks(MATERIAL)]
 
 
 def end_text(strain: float, here: bool, there: bool) -> str:
@@ -244,7 +245,8 @@ def _text(points: list[ComparedState], ends: list[Check]) -> str:
         f"The strains of birth and decay, roots of tau_1 = t, are compared with what is noted in "
         f"the header of the data, and with where the polynomial through the outermost "
         f"{_EXTRAPOLATED} values of the data's A^2 vanishes: this differs by {differences[0]:.0e} "
-        f"at birth and {differences[1]:.0e} at decay."
+        f"at birth and {differences[1]:.0e} at decay.\n\n"
+        f"{published_mode.TEXT}"
     )
 
 
@@ -261,7 +263,7 @@ def run(output: AnyPath) -> None:
         "independent",
         "Independent data",
         _text(points, ends),
-        [*_checks(points, slopes), *ends],
+        [*_checks(points, slopes), *ends, *published_mode.checks(MATERIAL)],
         [_table(points, slopes), ends_table],
         plots,
     )

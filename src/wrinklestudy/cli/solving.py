@@ -14,7 +14,8 @@ from wrinklestudy.cli.sheet_options import GivenSize
 
 if TYPE_CHECKING:
     from wrinklestudy.equilibrium.newton import Observer
-    from wrinklestudy.sheet import Sheet, State
+    from wrinklestudy.results.solved import State
+    from wrinklestudy.sheet import Sheet
 
 # Samples of a VTU file over the length and width, if the cells do not give more by themselves.
 _VTU_SAMPLES = (190, 290)

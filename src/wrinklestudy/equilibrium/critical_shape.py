@@ -3,9 +3,11 @@
 Beyond L/W of about 3.5 a mode is largest in two zones near the ends, not at the middle.
 """
 
-from typing import NamedTuple
+from dataclasses import dataclass
+from typing import NamedTuple, Self
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from wrinklestudy.fem.boundary import Symmetry
 from wrinklestudy.fem.element import reference_basis
@@ -13,6 +15,7 @@ from wrinklestudy.fem.space import Space
 from wrinklestudy.typing import Array
 
 _SAMPLES = 9  # on each side of a cell, its ends included
+_ZOOMS = 8  # rounds of the search for the largest value, each on a quarter of the one before
 _LEAST = 0.01  # of the largest |w|: lower crests and troughs are not counted
 
 
@@ -79,3 +82,94 @@ def _half_waves(profile: Array, symmetry: Symmetry) -> int:
     signs = np.sign(profile[high])
     runs = 1 + int(np.sum(signs[1:] != signs[:-1]))
     return 2 * runs if odd else 2 * runs - 1
+
+
+@dataclass(frozen=True, eq=False)
+class WrinkleMode:
+    """The critical mode of a flat sheet: the wrinkle that the thickest unstable sheet has.
+
+    Parameters
+    ----------
+    critical_thickness : float
+        tau_1 in units of W; modes of the corners are passed over.
+    space : Space
+        On the quarter sheet.
+    shape : (size,) array
+        The deflection as a dof vector, scaled to a largest value of 1.
+    symmetry : Symmetry
+        Of the sheet with this deflection; it needs both mirrors.
+    """
+
+    critical_thickness: float
+    space: Space
+    shape: Array
+    symmetry: Symmetry
+
+    @classmethod
+    def scaled(cls, thickness: float, space: Space, shape: Array, symmetry: Symmetry) -> Self:
+        """Return a mode scaled to a largest value of 1, whatever size and sign `shape` has."""
+        return cls(thickness, space, shape / _extreme(space, shape), symmetry)
+
+    def deflection(self, x: ArrayLike, y: ArrayLike) -> Array:
+        """Return the deflection at points of the whole reference sheet.
+
+        Parameters
+        ----------
+        x, y : array_like
+            Along the pull and across, from the centre, in units of W; they are broadcast.
+
+        Returns
+        -------
+        ndarray
+            Largest value on the quarter x, y >= 0 is 1; elsewhere as the parity has it.
+
+        Raises
+        ------
+        ValueError
+            If a point lies outside the sheet; one line.
+        """
+        x, y = np.broadcast_arrays(np.asarray(x, np.float64), np.asarray(y, np.float64))
+        for name, values, lines in (("x", x, self.space.grid.x), ("y", y, self.space.grid.y)):
+            outside = ~(np.abs(values) <= lines[-1] * (1.0 + 1e-12))
+            if outside.any():
+                message = f"must be >= {-lines[-1]:g} and <= {lines[-1]:g} (in units of W)"
+                raise ValueError(f"{name} = {values[outside].flat[0]:g}: {message}")
+        odd = self.symmetry.odd_across is not None and self.symmetry.odd_across[2]
+        values = _values(self.space, self.shape, np.abs(x).ravel(), np.abs(y).ravel())
+        values = values.reshape(x.shape)
+        return np.where(y < 0, -values, values) if odd else values
+
+
+def _values(space: Space, shape: Array, x: Array, y: Array) -> Array:
+    """Return a field at points (n,) of the quarter sheet."""
+    lines = (space.grid.x, space.grid.y)
+    cell, local = [], []
+    for place, line in zip((x, y), lines, strict=True):
+        number = np.clip(np.searchsorted(line, place, side="right") - 1, 0, len(line) - 2)
+        cell.append(number)
+        local.append((place - line[number]) / np.diff(line)[number])
+    element = cell[0] * space.grid.cells[1] + cell[1]
+    dofs = shape[space.dofs.element_dofs[:, element]] * space.dof_scale[:, element]
+    values: Array = (reference_basis(np.array(local), (0, 0)) * dofs).sum(axis=0)
+    return values
+
+
+def _extreme(space: Space, shape: Array) -> float:
+    """Return the value of a field where its absolute value is largest, with its sign."""
+    samples = _samples(space, shape)
+    place = np.unravel_index(np.abs(samples).argmax(), samples.shape)
+    centre = [_lines(space.grid.x)[place[0]], _lines(space.grid.y)[place[1]]]
+    reach = space.cell_sizes.max(axis=1) / (_SAMPLES - 1)
+    steps = np.stack(np.meshgrid(*[np.linspace(-1.0, 1.0, 9)] * 2, indexing="ij"))
+    highest = float(samples[place])
+    for _ in range(_ZOOMS):
+        x, y = (
+            np.clip(c + r * step.ravel(), 0.0, line[-1])
+            for c, r, step, line in zip(
+                centre, reach, steps, (space.grid.x, space.grid.y), strict=True
+            )
+        )
+        values = _values(space, shape, x, y)
+        best = int(np.abs(values).argmax())
+        centre, reach, highest = [x[best], y[best]], reach / 4.0, float(values[best])
+    return highest

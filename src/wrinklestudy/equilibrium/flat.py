@@ -119,7 +119,9 @@ class MembraneProblem:
     def reactions(self, unknowns: Array) -> Array:
         """Return the residual at every dof, (2, size); the reactions are at the prescribed ones."""
         tangents = self.assembler.space.derivatives(self.position(unknowns), 2)
-        slope = membrane.gradient(membrane.force(self.law, tangents), tangents)
+        slope = membrane.gradient(
+            membrane.force(self.law, tangents), membrane.frame(self.law, tangents)
+        )
         return self.assembler.residual(slope)
 
     def shift(self) -> sparse.csr_array | None:

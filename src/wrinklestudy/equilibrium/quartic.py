@@ -70,6 +70,7 @@ def _responses(flat: Flat, shapes: Array, modes: Sequence[tuple[int, int]]) -> _
     _, _, blocks = membrane.expansion(flat.law, tangents)
     solver.factorise(assembler.tangent(blocks))
     stiffness = membrane.stiffness(flat.law, tangents)
+    vectors = membrane.frame(flat.law, tangents)
     slopes = space.derivatives(shapes, 2)
     strains, forces, loads = [], [], []
     for i, j in modes:
@@ -78,7 +79,7 @@ def _responses(flat: Flat, shapes: Array, modes: Sequence[tuple[int, int]]) -> _
         mixed = 0.5 * (first[0] * second[1] + first[1] * second[0])
         strain = twice * np.stack([first[0] * second[0], first[1] * second[1], mixed])
         force = np.einsum("km...,m...->k...", stiffness, strain)
-        load = assembler.residual(membrane.gradient(force, tangents))
+        load = assembler.residual(membrane.gradient(force, vectors))
         strains.append(strain.reshape(-1))
         forces.append((force * space.measure).reshape(-1))
         loads.append(load[assembler.free])

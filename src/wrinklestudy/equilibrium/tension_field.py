@@ -164,7 +164,14 @@ def solve(
     -------
     TensionField
         With `reason` set where it did not converge; nothing is raised for that.
+
+    Raises
+    ------
+    ValueError
+        If the law has a strain that is linear in the plane: its natural width is that of no metric.
     """
+    if law.linear_in_plane:
+        raise ValueError(f"law {law.name}: has no tension field, its strain is linear in the plane")
     lines = grid.grid if isinstance(grid, Space) else grid
     options = _OPTIONS
     if observer is not None:

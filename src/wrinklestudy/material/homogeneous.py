@@ -39,7 +39,7 @@ def _across(law: Law, stretch: Array, mode: Deformations) -> Array:
 def dimensionless_stress(law: Law, stretch: ArrayLike, mode: Deformations = "uniaxial") -> Array:
     """Return the nominal stress of a law in units of its initial shear modulus.
 
-    T = 2 lambda dW/dg11 at the metric diag(lambda^2, width^2): the derivative of the energy with
+    T = dg11/dlambda dW/dg11 at the metric diag(lambda^2, width^2): derivative of the energy with
     respect to lambda at a held width, which in simple tension is the one that makes it least.
 
     Parameters
@@ -63,8 +63,8 @@ def dimensionless_stress(law: Law, stretch: ArrayLike, mode: Deformations = "uni
     """
     along = np.asarray(stretch, dtype=np.float64)
     across = _across(law, along, mode)
-    metric = np.stack([along**2, across**2, np.zeros_like(along)])
-    return 2.0 * along * law.derivatives(metric)[0][0]
+    metric, slope = law.stretched(along, across)
+    return slope * law.derivatives(metric)[0][0]
 
 
 def nominal_stress(

@@ -222,3 +222,17 @@ def bending_law_of(name: str) -> BendingLaw:
     if name not in BENDING_LAWS:
         raise ValueError(f"bending = {name!r}: must be one of {', '.join(BENDING_LAWS)}")
     return BENDING_LAWS[name]
+
+
+def check_bending(law: Law | type[Law], name: str) -> None:
+    """Refuse a bending law that is unknown or does not go with a material law.
+
+    Raises
+    ------
+    ValueError
+        In one line.
+    """
+    bending_law_of(name)
+    if law.bendings and name not in law.bendings:
+        allowed = ", ".join(law.bendings)
+        raise ValueError(f"bending = {name!r}: must be {allowed} with the law {law.name}")

@@ -165,7 +165,7 @@ def _entry(
             for direction, vector in terms:
                 if direction == a:
                     out += vector[i] * parts.membrane[k, b, j]
-        if i == j:
+        if i == j and not (surface.linear_in_plane and i < 2):
             out += section.force[2] if a != b else 2.0 * section.force[a]
 
 

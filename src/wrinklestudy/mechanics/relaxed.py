@@ -63,6 +63,11 @@ class RelaxedLaw:
     law: Law
     remainder: float = 0.0
 
+    @property
+    def linear_in_plane(self) -> bool:
+        """As of the law; `equilibrium.tension_field` refuses laws of a linear strain."""
+        return self.law.linear_in_plane
+
     def natural_square(self, larger: Array) -> Array:
         """Return n^2, the squared width under uniaxial tension; 0 where the law leaves none."""
         with np.errstate(invalid="ignore"):

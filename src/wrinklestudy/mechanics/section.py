@@ -3,9 +3,14 @@
 from dataclasses import dataclass
 from functools import cached_property
 
-from wrinklestudy.mechanics.bending import BendingLaw, SectionDerivatives, bending_law_of
+from wrinklestudy.mechanics.bending import (
+    BendingLaw,
+    SectionDerivatives,
+    bending_law_of,
+    check_bending,
+)
 from wrinklestudy.mechanics.laws import Law
-from wrinklestudy.mechanics.surface import SurfaceGeometry
+from wrinklestudy.mechanics.surface import SurfaceGeometry, linear_strain
 from wrinklestudy.typing import Array
 
 
@@ -25,7 +30,7 @@ class Section:
     Raises
     ------
     ValueError
-        If there is no such bending law.
+        If there is no such bending law, or it does not go with the material law.
     """
 
     law: Law
@@ -33,7 +38,7 @@ class Section:
     bending: str = "thinning"
 
     def __post_init__(self) -> None:
-        bending_law_of(self.bending)
+        check_bending(self.law, self.bending)
 
     @cached_property
     def bending_law(self) -> BendingLaw:
@@ -42,7 +47,8 @@ class Section:
 
     def surface(self, derivatives: Array) -> SurfaceGeometry:
         """Return the geometry of the mid-surface from x,1 x,2 x,11 x,22 x,12, (5, 3, ...)."""
-        return self.bending_law.surface(derivatives)
+        surface = self.bending_law.surface(derivatives)
+        return linear_strain(surface) if self.law.linear_in_plane else surface
 
     def energy(self, metric: Array, curvature: Array) -> Array:
         """Return the energy per reference area in units of mu W, shape ``(...)``."""

@@ -19,6 +19,7 @@ class SurfaceGeometry(NamedTuple):
     inverse: Array  # a^11, a^22, a^12: (3, ...)
     curvature: Array  # b: (3, ...)
     christoffel: Array  # (2, 3, ...): upper index, then 11, 22, 12
+    linear_in_plane: bool = False  # then metric and tangents are those of `linear_strain`
 
 
 def dot(a: Array, b: Array) -> Array:
@@ -45,6 +46,22 @@ def curved_surface(derivatives: Array) -> SurfaceGeometry:
     curvature = np.stack([dot(second[k], normal) for k in range(3)])
     christoffel = np.stack([np.stack([dot(second[k], d) for k in range(3)]) for d in dual])
     return SurfaceGeometry(first, normal, dual, metric, inverse, curvature, christoffel)
+
+
+def linear_strain(surface: SurfaceGeometry) -> SurfaceGeometry:
+    """Return a geometry whose metric is 1 + 2 E, E = (u_a,b + u_b,a + w,a w,b)/2.
+
+    Its tangents are what turns dx,1 and dx,2 into a change of this metric: (1, 0, w,1) and
+    (0, 1, w,2).
+    """
+    p, q = surface.tangents
+    tangents = np.zeros_like(surface.tangents)
+    tangents[0, 0] = tangents[1, 1] = 1.0
+    tangents[:, 2] = surface.tangents[:, 2]
+    metric = np.stack(
+        [2.0 * p[0] - 1.0 + p[2] ** 2, 2.0 * q[1] - 1.0 + q[2] ** 2, q[0] + p[1] + p[2] * q[2]]
+    )
+    return surface._replace(tangents=tangents, metric=metric, linear_in_plane=True)
 
 
 def shallow_surface(derivatives: Array) -> SurfaceGeometry:

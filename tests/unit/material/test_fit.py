@@ -19,6 +19,7 @@ from wrinklestudy.mechanics.laws import (
     Material,
     MooneyRivlin,
     SaintVenantKirchhoff,
+    foppl_von_karman,
     law_of,
     mooney_rivlin,
     neo_hookean,
@@ -358,6 +359,7 @@ MADE = {
     "svk": saint_venant_kirchhoff(1.3e6),
     "yeoh": yeoh(1.8e5, -1.5e3, 4.0e1),
     "ogden": ogden(6.3e5, 1.3, -1.0e4, -2.0),
+    "foppl-von-karman": foppl_von_karman(1.3e6),
 }
 
 

@@ -60,7 +60,9 @@ def difference(function, metric):
 
 
 def test_every_law_is_tested():
-    assert MATERIALS.keys() == LAWS.keys()
+    """All but those whose strain is no metric: `tension_field.solve` refuses them."""
+    finite = {name for name, law in LAWS.items() if not law.linear_in_plane}
+    assert MATERIALS.keys() == finite
 
 
 @pytest.mark.parametrize("remainder", [0.0, 0.1])

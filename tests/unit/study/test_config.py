@@ -555,3 +555,12 @@ def test_the_entries_of_an_analysis_are_joined_by_model_and_length():
     }
     assert study.analyses("map") == study.maps
     assert study.tension == parse_config(RAW, "config.yaml").tension
+    assert study.tension == {}
+
+
+def test_a_law_is_refused_with_a_bending_law_that_does_not_go_with_it():
+    raw = changed(("materials", "latex"), {"law": "foppl-von-karman", "constants": {"young": 1e6}})
+    with pytest.raises(ConfigError) as refused:
+        parse_config(raw, "config.yaml")
+    line = "materials.latex: bending = 'thinning': must be fvk with the law foppl-von-karman"
+    assert line in str(refused.value)

@@ -14,6 +14,7 @@ from wrinklestudy.mechanics.laws.base import (
     law_of,
     register,
 )
+from wrinklestudy.mechanics.laws.foppl_von_karman import FopplVonKarman, foppl_von_karman
 from wrinklestudy.mechanics.laws.incompressible import IncompressibleLaw, Slopes, determinant
 from wrinklestudy.mechanics.laws.mooney_rivlin import MooneyRivlin, mooney_rivlin
 from wrinklestudy.mechanics.laws.neo_hookean import NeoHookean, neo_hookean
@@ -25,13 +26,14 @@ from wrinklestudy.mechanics.laws.saint_venant_kirchhoff import (
 from wrinklestudy.mechanics.laws.yeoh import Yeoh, yeoh
 
 # The order in which they are offered and drawn.
-for law in (MooneyRivlin, NeoHookean, SaintVenantKirchhoff, Yeoh, Ogden):
+for law in (MooneyRivlin, NeoHookean, SaintVenantKirchhoff, Yeoh, Ogden, FopplVonKarman):
     register(law)
 del law
 
 __all__ = [
     "LAWS",
     "Constant",
+    "FopplVonKarman",
     "IncompressibleLaw",
     "Law",
     "Material",
@@ -43,6 +45,7 @@ __all__ = [
     "Yeoh",
     "describe",
     "determinant",
+    "foppl_von_karman",
     "from_description",
     "law_of",
     "mooney_rivlin",

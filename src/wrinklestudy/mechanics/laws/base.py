@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, Self, TypeVar
 
+import numpy as np
+
 from wrinklestudy.typing import Array
 
 
@@ -88,6 +90,11 @@ class Law(ABC):
         Whether the energy is linear in the constants that a fit determines.
     small_strain : bool
         Whether the law describes small strains only, so that it is fitted to the initial slope.
+    linear_in_plane : bool
+        Whether its strain is linear in the displacement in the plane,
+        E = (u_a,b + u_b,a + w,a w,b)/2; 1 + 2 E then takes the place of the metric.
+    bendings : tuple of str
+        Names of the bending laws that go with it; empty if all do.
     starts : tuple of mappings
         For a law that is not linear: the constants from which fits start, with those in Pa in units
         of the initial shear modulus. During a fit each constant keeps the sign it starts with.
@@ -99,6 +106,8 @@ class Law(ABC):
     constants: ClassVar[tuple[Constant, ...]]
     linear: ClassVar[bool] = False
     small_strain: ClassVar[bool] = False
+    linear_in_plane: ClassVar[bool] = False
+    bendings: ClassVar[tuple[str, ...]] = ()
     starts: ClassVar[tuple[Mapping[str, float], ...]] = ()
 
     @property
@@ -121,6 +130,10 @@ class Law(ABC):
     @abstractmethod
     def natural_width(self, stretch: Array) -> Array:
         """Return the transverse stretch under uniaxial tension at a stretch, shape ``(...)``."""
+
+    def stretched(self, along: Array, across: Array) -> tuple[Array, Array]:
+        """Return the metric of two principal stretches, (3, ...), and dg11/dlambda of the first."""
+        return np.stack([along**2, across**2, np.zeros_like(along)]), 2.0 * along
 
     @classmethod
     @abstractmethod

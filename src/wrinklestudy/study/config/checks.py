@@ -8,6 +8,8 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from wrinklestudy.mechanics.bending import check_bending
+from wrinklestudy.mechanics.laws import law_of
 from wrinklestudy.results import cases
 from wrinklestudy.study.config.blocks import (
     AnalysisBlock,
@@ -128,6 +130,7 @@ def _contradictions(study: StudyConfig) -> Iterator[str]:
     # in a tension field there is nothing to bend, and no wrinkle with a parity
     yield from _wrong_series("tension", study.tension_series, materials, "materials")
     yield from _wrong_series("compression", study.compression_series, materials, "materials")
+    yield from _wrong_bendings(study)
     yield from _missing_figure_sheets(study)
 
 
@@ -176,6 +179,21 @@ def _wrong_variants(study: StudyConfig) -> Iterator[str]:
             yield f"variants.{name}.material = {variant.material!r}: is not in materials{hint}"
         if variant.bending is None and variant.parity is None:
             yield f"variants.{name}: must have bending, parity or both"
+
+
+def _wrong_bendings(study: StudyConfig) -> Iterator[str]:
+    """Yield which models of sheets and maps bend by a law that does not go with their material."""
+    used = {series.material for series in (*study.sheets, *study.map_series)}
+    for name in sorted(used):
+        variant = study.variants.get(name)
+        material = study.materials.get(name if variant is None else variant.material)
+        bending = study.plate.bending if variant is None else variant.bending or study.plate.bending
+        if material is None:
+            continue  # already refused
+        try:
+            check_bending(law_of(material.law), bending)
+        except ValueError as error:
+            yield f"{'variants' if variant else 'materials'}.{name}: {error}"
 
 
 def _missing_figure_sheets(study: StudyConfig) -> Iterator[str]:
