@@ -108,14 +108,14 @@ def _allowed(entry: Mapping[str, Any]) -> str:
         return ", ".join(f"`{value}`" for value in entry["enum"])
     for several in ("anyOf", "oneOf"):
         if several in entry:
-            choices = [one for one in entry[several] if one.get("type") != "null"]
-            return " or ".join(_allowed(one) for one in choices)
+            choices = [choice for choice in entry[several] if choice.get("type") != "null"]
+            return " or ".join(_allowed(choice) for choice in choices)
     kind = entry.get("type")
     if kind == "array":
         items = entry.get("items") or entry["prefixItems"][0]
         return f"list of {_allowed(items)}"
     if kind == "object":
-        blocks = [_allowed(one) for one in entry.get("patternProperties", {}).values()]
+        blocks = [_allowed(named) for named in entry.get("patternProperties", {}).values()]
         return f"names with {' or '.join(blocks)}" if blocks else "block"
     word = {"string": "text"}.get(str(kind), str(kind))
     return f"{word} {', '.join(_bounds(entry))}".strip()
