@@ -47,9 +47,9 @@ class SolidCase:
         material = MATERIALS[self.material]
         return SolidSheet(material, self.thickness, cells, self.bulk, self.layers, self.clamp)
 
-    def plate(self, bending: str = "thinning") -> Sheet:
-        """Return the same sheet as a plate."""
-        return Sheet(2.0, self.thickness, MATERIALS[self.material], bending, mesh=PLATE_MESH)
+    def plate(self) -> Sheet:
+        """Return the same sheet as a plate, under the bending law `thinning`."""
+        return Sheet(2.0, self.thickness, MATERIALS[self.material], mesh=PLATE_MESH)
 
 
 @dataclass(frozen=True)
@@ -97,7 +97,8 @@ def plate_ends(material: str, thickness: float, bending: str = "thinning") -> tu
     ArithmeticError
         If it has not got both.
     """
-    ends = case(material, thickness, COARSE).plate(bending).stability()
+    mesh = PLATE_MESH if bending == "thinning" else MeshSettings()
+    ends = Sheet(2.0, thickness, MATERIALS[material], bending, mesh=mesh).stability()
     if ends.birth_strain is None or ends.decay_strain is None:
         raise ArithmeticError(f"{material}, t/W {thickness:g}: no birth or no decay")
     return ends.birth_strain, ends.decay_strain
