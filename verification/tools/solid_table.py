@@ -105,7 +105,13 @@ def plate_ends(material: str, thickness: float, bending: str = "thinning") -> tu
 
 
 def solve_ends(case: SolidCase) -> tuple[End, End]:
-    """Return birth and decay of a solid, roots of its lowest eigenvalue near those of the plate."""
+    """Return birth and decay of a solid, roots of its lowest eigenvalue near those of the plate.
+
+    Raises
+    ------
+    ArithmeticError
+        If no mode crosses zero there.
+    """
     sheet = case.sheet()
     near = plate_ends(case.material, case.thickness)
     first, second = (_end(sheet, *pair) for pair in zip(near, _BRACKETS, strict=True))
@@ -123,6 +129,8 @@ def _end(sheet: SolidSheet, near: float, reach: float) -> End:
         low, high = near - reach * 3**widening, near + reach * 3**widening
         if eigenvalue(low) * eigenvalue(high) < 0.0:
             break
+    else:
+        raise ArithmeticError(f"no mode of the solid crosses zero from strain {low:g} to {high:g}")
     root = float(brentq(eigenvalue, low, high, xtol=_ROOT_DIGITS))
     closest = modes[min(modes, key=lambda strain: abs(strain - root))]
     return End(root, modes[low].unstable, modes[high].unstable, closest.corner)
