@@ -48,9 +48,9 @@ class SolidCase:
         material = MATERIALS[self.material]
         return SolidSheet(material, self.thickness, cells, self.bulk, self.layers, self.clamp)
 
-    def plate(self, bending: str = "thinning") -> Sheet:
-        """Return the same sheet as a plate."""
-        return Sheet(2.0, self.thickness, MATERIALS[self.material], bending, mesh=PLATE_MESH)
+    def plate(self) -> Sheet:
+        """Return the same sheet as a plate, under the bending law `thinning`."""
+        return Sheet(2.0, self.thickness, MATERIALS[self.material], mesh=PLATE_MESH)
 
 
 @dataclass(frozen=True)
@@ -98,14 +98,21 @@ def plate_ends(material: str, thickness: float, bending: str = "thinning") -> tu
     ArithmeticError
         If it has not got both.
     """
-    ends = case(material, thickness, COARSE).plate(bending).stability()
+    mesh = PLATE_MESH if bending == "thinning" else MeshSettings()
+    ends = Sheet(2.0, thickness, MATERIALS[material], bending, mesh=mesh).stability()
     if ends.birth_strain is None or ends.decay_strain is None:
         raise ArithmeticError(f"{material}, t/W {thickness:g}: no birth or no decay")
     return ends.birth_strain, ends.decay_strain
 
 
 def solve_ends(case: SolidCase) -> tuple[End, End]:
-    """Return birth and decay of a solid, roots of its lowest eigenvalue near those of the plate."""
+    """Return birth and decay of a solid, roots of its lowest eigenvalue near those of the plate.
+
+    Raises
+    ------
+    ArithmeticError
+        If no mode crosses zero there.
+    """
     sheet = case.sheet()
     near = plate_ends(case.material, case.thickness)
     first, second = (_end(sheet, *pair) for pair in zip(near, _BRACKETS, strict=True))
@@ -123,6 +130,8 @@ def _end(sheet: SolidSheet, near: float, reach: float) -> End:
         low, high = near - reach * 3**widening, near + reach * 3**widening
         if eigenvalue(low) * eigenvalue(high) < 0.0:
             break
+    else:
+        raise ArithmeticError(f"no mode of the solid crosses zero from strain {low:g} to {high:g}")
     root = float(brentq(eigenvalue, low, high, xtol=_ROOT_DIGITS))
     closest = modes[min(modes, key=lambda strain: abs(strain - root))]
     return End(root, modes[low].unstable, modes[high].unstable, closest.corner)
