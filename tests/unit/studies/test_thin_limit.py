@@ -43,7 +43,7 @@ def test_a_field_has_an_approach_where_three_sheets_of_its_rubber_and_length_are
     assert approaches(sheets, rows.assign(aspect=like.aspect + 1.0), like) == []
 
 
-def judged(key, tmp_path, **columns):
+def judged(key, tmp_path, thicknesses=THICKNESS, **columns):
     """Judge a claim on sheets whose deficit is proportional to t, and a made-up tension field."""
     study = world()
     paper = study.sheet
@@ -61,7 +61,7 @@ def judged(key, tmp_path, **columns):
     states = list(paper.columns["strain"])
     sheets = tuple(
         sheet(thickness=t, phi_squared=np.full(len(states), FIELD * (1.0 - 800.0 * t)))
-        for t in THICKNESS.tolist()
+        for t in thicknesses.tolist()
     )
     study = replace(study, sheets=(paper, *sheets), analyses={"tension": {"table": [path]}})
     return CLAIMS[key].finding(study).verdict
@@ -82,3 +82,16 @@ def judged(key, tmp_path, **columns):
 )
 def test_a_claim_follows_its_numbers(key, columns, verdict, tmp_path):
     assert judged(key, tmp_path, **columns) == verdict
+
+
+@pytest.mark.parametrize(
+    ("thinnest", "columns", "verdict"),
+    [
+        ([1e-5, 2e-5, 5e-5], {}, "agree"),
+        ([1e-5, 2e-5, 5e-5], {"phi_squared": 0.97 * FIELD}, "disagree"),  # sheets above the field
+        ([1e-5, 2e-5, 5e-5], {"phi_squared": 1.004 * FIELD}, "disagree"),  # of another limit
+        ([1e-4, 2e-4, 5e-4], {}, "not computed"),
+    ],
+)
+def test_the_thinnest_sheets_are_near_the_field_if_they_are(thinnest, columns, verdict, tmp_path):
+    assert judged("thinnest-are-near", tmp_path, np.array(thinnest), **columns) == verdict

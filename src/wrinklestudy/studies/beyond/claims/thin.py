@@ -9,6 +9,8 @@ from wrinklestudy.study.claims.tables import StudyTables
 
 MESH = 0.003  # of Phi^2
 FIRST_ORDER = 0.15  # of the exponent
+NEAR = {2.0e-5: 0.04, 1.0e-5: 0.02}  # of Phi^2, by the largest t/W for which it must hold
+EXTRAPOLATED = 0.003
 _FIELD = "tension field theory, solved on the mesh of the study"
 
 
@@ -81,5 +83,46 @@ def first_order_in_thickness(study: StudyTables) -> Finding:
             if not holds
             else f", from t/W = {thinnest.thickness[0]:g} on."
         ),
+        sheets=(study.sheet,),
+    )
+
+
+@claim(
+    order=(2, 0, 2),
+    place=_FIELD,
+    statement="Sheets of t/W = 2e-5 and 1e-5 are at the tension field but for a few per cent.",
+    tolerance="; ".join(f"t/W = {t:g}: within {bar:.0%} of its Φ²" for t, bar in NEAR.items())
+    + f"; the parabola through the three thinnest sheets within {EXTRAPOLATED:.1%} at t = 0",
+)
+def thinnest_are_near(study: StudyTables) -> Finding:
+    """Compare the thinnest sheets with the field, at the strains where they were computed."""
+    strains = [
+        each
+        for each in approaches(study.sheets, study.table("tension"), study.sheet)
+        if each.thickness[0] <= min(NEAR)
+    ]
+    if not strains:
+        raise MissingError(f"a tension field and a sheet of t/W = {min(NEAR):g} at one strain")
+    holds, values = True, []
+    for each in strains:
+        for bar_thickness, bar in NEAR.items():
+            at = int(np.argmin(np.abs(each.thickness - bar_thickness)))
+            lacks = float(each.deficit[at])
+            holds &= bool(0.0 <= lacks <= bar)
+            name = f"part lacking at ε = {each.strain:g}, t/W = {each.thickness[at]:g}"
+            values.append(Value(name, lacks, digits=3))
+        holds &= abs(each.extrapolated - 1.0) <= EXTRAPOLATED
+        name = f"extrapolated over field at ε = {each.strain:g}"
+        values.append(Value(name, each.extrapolated, digits=5))
+    return Finding(
+        verdict_of(holds),
+        tuple(values),
+        "; ".join(
+            f"at ε = {each.strain:g} the thinnest sheet, t/W = {each.thickness[0]:g}, lacks "
+            f"{each.deficit[0]:.2%}, and the extrapolation is off by "
+            f"{100.0 * (each.extrapolated - 1.0):+.2f}%"
+            for each in strains
+        )
+        + ".",
         sheets=(study.sheet,),
     )
