@@ -555,7 +555,6 @@ def test_the_entries_of_an_analysis_are_joined_by_model_and_length():
     }
     assert study.analyses("map") == study.maps
     assert study.tension == parse_config(RAW, "config.yaml").tension
-    assert study.tension == {}
 
 
 def test_a_law_is_refused_with_a_bending_law_that_does_not_go_with_it():
