@@ -36,6 +36,14 @@ def test_a_picture_has_its_values_at_the_middles_of_its_cells():
     assert by_kind(figure)["picture"].points.tolist() == [[1.0, 0.5, 1.0], [3.0, 0.5, 2.0]]
 
 
+def test_a_picture_of_colours_has_no_numbers():
+    """A lit surface is drawn in colours that say nothing by themselves."""
+    figure = Figure()
+    figure.add_subplot().pcolormesh(np.arange(4.0), np.arange(3.0), np.full((2, 3, 3), 0.5))
+    figure.add_subplot().imshow(np.full((2, 3, 3), 0.5))
+    assert shown_series(figure) == []
+
+
 def test_a_contour_lies_where_the_function_has_its_level():
     figure = Figure()
     x = np.linspace(0.0, 2.0, 41)

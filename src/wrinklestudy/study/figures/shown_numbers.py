@@ -107,8 +107,9 @@ def _of_artist(panel: int, axes: Axes, artist: Artist) -> Iterator[ShownSeries]:
         if artist.get_transform() is axes.transData:
             yield ShownSeries(panel, "line", label, np.asarray(artist.get_xydata(), dtype=float))
     elif isinstance(artist, QuadMesh):
-        corners = np.asarray(artist.get_coordinates())
-        yield _picture(panel, label, corners, np.asarray(artist.get_array(), dtype=float))
+        values = np.asarray(artist.get_array(), dtype=float)
+        if values.ndim < 3:  # a third axis holds colours, which are no numbers
+            yield _picture(panel, label, np.asarray(artist.get_coordinates()), values)
     elif isinstance(artist, PathCollection):
         points: Array = np.ma.filled(np.ma.asarray(artist.get_offsets(), dtype=float), np.nan)
         values = artist.get_array()
