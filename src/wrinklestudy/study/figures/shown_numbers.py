@@ -87,7 +87,7 @@ def write_numbers(figure: Figure, path: AnyPath) -> None:
         table = csv.writer(file, lineterminator="\n")
         table.writerow(("panel", "kind", "series", "x", "y", "value"))
         for series in shown_series(figure):
-            head = (series.panel, series.kind, series.label)
+            head = (series.panel, series.kind, " ".join(series.label.split()))  # on one line
             for point in series.points:
                 table.writerow((*head, *map(_text, point), *[""] * (3 - len(point))))
 
@@ -112,9 +112,9 @@ def _of_artist(panel: int, axes: Axes, artist: Artist) -> Iterator[ShownSeries]:
             yield _picture(panel, label, np.asarray(artist.get_coordinates()), values)
     elif isinstance(artist, PathCollection):
         points: Array = np.ma.filled(np.ma.asarray(artist.get_offsets(), dtype=float), np.nan)
-        values = artist.get_array()
-        if values is not None and len(values) == len(points):
-            points = np.column_stack([points, np.asarray(values, dtype=float)])
+        shades = artist.get_array()
+        if shades is not None and len(shades) == len(points):
+            points = np.column_stack([points, np.asarray(shades, dtype=float)])
         yield ShownSeries(panel, "points", label, points)
     elif isinstance(artist, AxesImage):
         values = np.asarray(artist.get_array())
