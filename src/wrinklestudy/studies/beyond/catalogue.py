@@ -41,7 +41,7 @@ _FIGURES = (
         part=_FIELD,
         module=f"{_HERE}.figures.field_curves",
         sheets=same_length,
-        strains=(0.1,),
+        strains=(0.12,),
         states_of=same_length,
         analyses=("tension",),
     ),

@@ -11,6 +11,7 @@ from wrinklestudy.study.figures.series import number
 from wrinklestudy.typing import Array
 
 _LINES = 60  # lines X = const
+_SAME = 1e-9  # of a strain
 
 
 def draw(inputs: Inputs) -> Figure:
@@ -43,6 +44,8 @@ def draw(inputs: Inputs) -> Figure:
     field = nearest_field(inputs, states[0])
     along.plot(field.x, field.phi_squared, "k-", lw=1.2)
     for state in states:
+        if not np.isclose(state.strain, field.strain, rtol=0.0, atol=_SAME):
+            continue  # the state of this sheet nearest to the strain is one of another strain
         x, phi_squared = hidden(state)
         along.plot(x, phi_squared, "-", color=looks[state.thickness].color)
     along.set_xlabel("$X/W$")
