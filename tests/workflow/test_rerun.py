@@ -17,6 +17,7 @@ SHEET_FIGURES = {
     "fig06_aspect",
     "fig06_thickness",
     "fig07_width",
+    "fig06_labelled",
     "fig07_confinement",
     "fig07_slaving",
     "fig07_collapse",
@@ -95,7 +96,7 @@ def test_one_more_thickness_uses_the_flat_states_that_there_are(study):
     more = LATEX.replace("1.0e-3", "1.0e-3, 1.2e-3")
     study.edit("config/quick.yaml", LATEX, more)
     jobs = study.planned()
-    assert figures(jobs) == {"fig06_thickness"}
+    assert figures(jobs) == {"fig06_thickness", "fig06_labelled"}
     new = [job.outputs[0] for job in jobs if job.rule in ("stability", "wrinkle", "metrics")]
     assert len(new) == 5
     assert all("latex/aspect2_thickness0.0012" in output for output in new)
@@ -105,7 +106,7 @@ def test_one_more_thickness_uses_the_flat_states_that_there_are(study):
 def test_one_more_aspect_leaves_the_other_sheets_alone(study):
     study.edit("config/quick.yaml", LATEX, LATEX.replace("2.0", "2.0, 2.5"))
     jobs = study.planned()
-    assert figures(jobs) == {"fig06_aspect", "fig07_collapse"}
+    assert figures(jobs) == {"fig06_aspect", "fig06_labelled", "fig07_collapse"}
     for stage in ("mesh", "planar", "stability", "wrinkle", "metrics"):
         assert outputs(jobs, stage)
         assert all("aspect2.5_" in output for output in outputs(jobs, stage))
