@@ -18,12 +18,14 @@ LOST = [
     "results/quick/claims/claims.html",
     "figures/quick/fig03_surface.png",
     "results/quick/gate/gate.json",
+    "results/quick/tension/latex/aspect2.csv",
 ]
 # one job makes these together
 TOGETHER = [
     {"results/quick/summary/states.csv", "results/quick/summary/stability.csv", LOST[6]},
     {f"results/quick/claims/{name}" for name in ("claims.csv", "claims.html", "claims.md")}
     | {"results/quick/claims/table1.csv"},
+    {f"results/quick/tension/latex/aspect2.{suffix}" for suffix in ("csv", "h5")},
     {f"figures/quick/fig03_surface.{suffix}" for suffix in ("png", "pdf", "csv")},
 ]
 ABOUT_RUNS = ("results/quick/log/", "results/quick/benchmark/")
