@@ -128,6 +128,15 @@ def sheet_of(content, index=0):
     return content.sheets[index].sheet
 
 
+def until(page, condition):
+    """Wait for a condition; the page forbids what Playwright's own waiting evaluates."""
+    for _ in range(300):
+        if page.evaluate(condition):
+            return
+        page.wait_for_timeout(100)
+    raise AssertionError(condition)
+
+
 def trace(page, plot, index, *names):
     """Return columns of a trace of a plot as lists."""
     read = """([plot, k, names]) => {
@@ -409,13 +418,11 @@ def test_print_is_dark_on_white_without_controls(page):
     assert ink == "#1a1a1a"
     clipped = """[...document.querySelectorAll(".plot:not([hidden])")].filter((plot) =>
         plot.scrollWidth > plot.clientWidth || plot.clientWidth > 710)"""
-    page.wait_for_function(f"{clipped}.length === 0")  # the sheet is drawn again, in its time
+    until(page, f"{clipped}.length === 0")  # the sheet is drawn again, in its time
     page.emulate_media(media="screen")
     page.evaluate("dispatchEvent(new Event('afterprint'))")
     assert page.evaluate("document.documentElement.dataset.theme ?? ''") == ""
-    page.wait_for_function(
-        "document.getElementById('profile').getBoundingClientRect().width > 1000"
-    )
+    until(page, "document.getElementById('profile').getBoundingClientRect().width > 1000")
 
 
 def test_names_that_look_like_markup_are_text(pages, hostile, tmp_path):
