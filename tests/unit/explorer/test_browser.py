@@ -408,7 +408,8 @@ def test_dark_and_light_follow_the_system_and_the_switch(page):
     assert background(page) > 200
 
 
-def test_print_is_dark_on_white_without_controls(page):
+def test_print_is_dark_on_white_without_controls(pages):
+    page = pages.load(pages.file)
     page.emulate_media(color_scheme="dark")
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
     page.emulate_media(media="print")
