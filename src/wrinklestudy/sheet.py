@@ -11,6 +11,7 @@ from wrinklestudy.equilibrium.envelope import envelope
 from wrinklestudy.equilibrium.modes import critical_mode
 from wrinklestudy.equilibrium.newton import Observer
 from wrinklestudy.equilibrium.ranges import Stability
+from wrinklestudy.equilibrium.tension_field import TensionField
 from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.size import ProblemSize
 from wrinklestudy.fem.space import Space
@@ -194,12 +195,8 @@ class Sheet:
         MemoryError
             If the memory would not hold the problem; one line with its size.
         """
-        if strain not in STRAIN:
-            raise ValueError(f"strain = {strain:g}: must be {STRAIN}")
-        grid = tension_field.tension_grid(self.aspect, self.mesh)
-        ProblemSize(*grid.cells).check_memory(f"L/W = {self.aspect:g}", wrinkled=False)
         start = perf_counter()
-        field = tension_field.solve(grid, self.material.law, strain, observer=observer)
+        field = self._field(strain, observer)
         seconds = perf_counter() - start
         row = tension_row(field, self.material, str(describe(self.material)["law"]))
         measured = confinement(field) if field.converged else None
@@ -223,13 +220,20 @@ class Sheet:
         ------
         ValueError
             If the strain is not allowed.
+        MemoryError
+            If the memory would not hold the problem; one line with its size.
         """
+        field = self._field(strain, observer)
+        wrinkles = envelope(field, self.thickness, self.bending) if field.converged else None
+        return prediction_row(field, wrinkles, self.material, self.bending, self.thickness)
+
+    def _field(self, strain: float, observer: Observer | None) -> TensionField:
+        """Return the tension field on its own mesh, once strain and memory allow it."""
         if strain not in STRAIN:
             raise ValueError(f"strain = {strain:g}: must be {STRAIN}")
         grid = tension_field.tension_grid(self.aspect, self.mesh)
-        field = tension_field.solve(grid, self.material.law, strain, observer=observer)
-        wrinkles = envelope(field, self.thickness, self.bending) if field.converged else None
-        return prediction_row(field, wrinkles, self.material, self.bending, self.thickness)
+        ProblemSize(*grid.cells).check_memory(f"L/W = {self.aspect:g}", wrinkled=False)
+        return tension_field.solve(grid, self.material.law, strain, observer=observer)
 
     def stability(self, report: Callable[[float, float], None] | None = None) -> Stability:
         """Return birth and decay strain, the largest critical thickness and those between.

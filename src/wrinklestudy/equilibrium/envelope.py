@@ -108,7 +108,7 @@ def envelope(field: TensionField, thickness: float, bending: str) -> ThinWrinkle
     grid = Grid(field.space.grid.x, np.linspace(0.0, field.space.grid.y[-1], _ACROSS + 1))
     space = Space(grid)
     nodes = space.nodes_from_field(transferred(field.position, field.space, space))
-    densities = _densities(field, nodes, thickness, bending)
+    densities = _densities(field, grid, nodes, thickness, bending)
     if densities is None:
         return None
     length = 2.0 * float(grid.x[-1])
@@ -185,7 +185,7 @@ class _Densities:
 
 
 def _densities(
-    field: TensionField, nodes: Array, thickness: float, bending: str
+    field: TensionField, grid: Grid, nodes: Array, thickness: float, bending: str
 ) -> _Densities | None:
     """Return the coefficients of the energy at nodes, or None where no width is hidden."""
     along, across = nodes[:, 1], nodes[:, 2]
@@ -199,7 +199,6 @@ def _densities(
     stress, stiffness = field.law.derivatives(uniaxial)
     section = Section(field.law, 1.0, bending)
     bent = section.derivatives(uniaxial, np.zeros_like(uniaxial)).bending[1, 1]
-    grid = Grid(field.space.grid.x, np.linspace(0.0, field.space.grid.y[-1], _ACROSS + 1))
     tension = np.maximum(2.0 * stress[0], 0.0)
     return _Densities(grid, tension, thickness**2 * bent, stiffness[1, 1], hidden)
 
