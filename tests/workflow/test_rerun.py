@@ -21,8 +21,11 @@ SHEET_FIGURES = {
     "fig07_confinement",
     "fig07_slaving",
     "fig07_collapse",
+    "fig05_page",
+    "fig06_page",
+    "fig07_page",
 }
-VARIANT_FIGURES = {"fig05_amplitude", "fig05_wavelength"}
+VARIANT_FIGURES = {"fig05_amplitude", "fig05_wavelength", "fig05_page"}
 # the paper's study has neither map nor end of compression
 STAGES = tuple(name for name in TABLE if name not in ("map", "compression"))
 STRAINS = "strain: [0.1, 0.2, 0.32]"
@@ -96,7 +99,7 @@ def test_one_more_thickness_uses_the_flat_states_that_there_are(study):
     more = LATEX.replace("1.0e-3", "1.0e-3, 1.2e-3")
     study.edit("config/quick.yaml", LATEX, more)
     jobs = study.planned()
-    assert figures(jobs) == {"fig06_thickness", "fig06_labelled"}
+    assert figures(jobs) == {"fig06_thickness", "fig06_labelled", "fig06_page"}
     new = [job.outputs[0] for job in jobs if job.rule in ("stability", "wrinkle", "metrics")]
     assert len(new) == 5
     assert all("latex/aspect2_thickness0.0012" in output for output in new)
@@ -106,7 +109,13 @@ def test_one_more_thickness_uses_the_flat_states_that_there_are(study):
 def test_one_more_aspect_leaves_the_other_sheets_alone(study):
     study.edit("config/quick.yaml", LATEX, LATEX.replace("2.0", "2.0, 2.5"))
     jobs = study.planned()
-    assert figures(jobs) == {"fig06_aspect", "fig06_labelled", "fig07_collapse"}
+    assert figures(jobs) == {
+        "fig06_aspect",
+        "fig06_labelled",
+        "fig06_page",
+        "fig07_collapse",
+        "fig07_page",
+    }
     for stage in ("mesh", "planar", "stability", "wrinkle", "metrics"):
         assert outputs(jobs, stage)
         assert all("aspect2.5_" in output for output in outputs(jobs, stage))
@@ -142,7 +151,7 @@ def test_new_measurements_redraw_the_figures_that_show_them(study):
     folder.mkdir(exist_ok=True)
     (folder / "wavelength.csv").write_text("aspect,thickness,strain,wavelength_over_width\n")
     jobs = study.planned()
-    assert figures(jobs) == {"fig05_wavelength"}
+    assert figures(jobs) == {"fig05_wavelength", "fig05_page"}
     assert rules(jobs).keys() == {"figures", "gate"}
 
 

@@ -48,6 +48,11 @@ def same_thickness(config: SheetsOfConfig) -> Sheets:
     )
 
 
+def figure_sheet_then_lengths(config: SheetsOfConfig) -> Sheets:
+    """Select the sheet of `figures.sheet`, then those that differ from it in L/W alone."""
+    return tuple(dict.fromkeys((config.figure_sheet, *same_thickness(config))))
+
+
 def same_but_one(config: SheetsOfConfig) -> Sheets:
     """Select the sheet of `figures.sheet`, then those that differ from it in L/W or t/W alone."""
     own = config.figure_sheet

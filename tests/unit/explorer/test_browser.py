@@ -461,3 +461,17 @@ def test_without_webgl_it_works_and_says_so(pages, playwright):
     assert mark(page, "amplitude")[0] == 0.1
     assert page.locator("#sheet .heatmaplayer image").count() == 1
     flat.close()
+
+
+def test_a_turned_sheet_is_printed_no_wider_than_the_paper(pages):
+    page = pages.load(pages.file)
+    page.evaluate("Plotly.relayout('sheet', {'scene.camera': {eye: {x: -0.5, y: 0.9, z: 1.8}}})")
+    expect(page).to_have_url(re.compile("eye="))
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    page.emulate_media(media="print")
+    right = "document.body.getBoundingClientRect().right"
+    wide = f"""[...document.querySelectorAll("#sheet canvas")].filter(
+        (drawn) => drawn.getBoundingClientRect().right > {right}).length"""
+    until(page, f"document.querySelectorAll('#sheet canvas').length > 0 && {wide} === 0")
+    eye = page.evaluate("Object.values(document.getElementById('sheet').layout.scene.camera.eye)")
+    assert eye == [-0.5, 0.9, 1.8]

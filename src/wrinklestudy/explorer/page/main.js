@@ -159,6 +159,7 @@ function startPrint() {
   if (playing) stop();
   themeBefore = VIEW.theme;
   document.documentElement.classList.add("printing");
+  Plotly.purge(plot("sheet")); // a scene that was turned keeps its width on the screen
   redrawn("light");
   clearTimeout(waiting);
   drawMaps();

@@ -4,6 +4,7 @@ from wrinklestudy.study.catalogue import Catalogue, FigureEntry, TableEntry
 from wrinklestudy.study.selections import (
     compared_models,
     figure_sheet,
+    figure_sheet_then_lengths,
     same_aspect,
     same_but_one,
     same_thickness,
@@ -75,6 +76,17 @@ _FIGURES = (
         measured=("wavelength", "profiles"),
     ),
     FigureEntry(
+        name="fig05_page",
+        panel="5",
+        title="amplitude and wavelength",
+        caption="Figure 5 whole: (a) amplitude over thickness and (b) wavelength over width "
+        "against strain.",
+        part=_WRINKLES,
+        module=f"{_HERE}.figures.fig05_page",
+        sheets=compared_models,
+        measured=("amplitude", "wavelength", "profiles"),
+    ),
+    FigureEntry(
         name="fig06_aspect",
         panel="6a",
         title="amplitude against L/W",
@@ -96,13 +108,24 @@ _FIGURES = (
     ),
     FigureEntry(
         name="fig06_labelled",
-        panel="6",
+        panel="6, labelled",
         title="amplitude of all sheets",
         caption="A second form of figure 6: amplitude against strain, every curve with its "
         "label beside it.",
         part=_SIZES,
         module=f"{_HERE}.figures.fig06_labelled",
         sheets=same_but_one,
+    ),
+    FigureEntry(
+        name="fig06_page",
+        panel="6",
+        title="amplitude against L/W and W/t",
+        caption="Figure 6 whole: the largest amplitude over strain against (a) L/W and (b) W/t, "
+        "each beside the amplitude curves.",
+        part=_SIZES,
+        module=f"{_HERE}.figures.fig06_page",
+        sheets=same_but_one,
+        measured=("amplitude", "profiles"),
     ),
     FigureEntry(
         name="fig07_width",
@@ -143,6 +166,18 @@ _FIGURES = (
         part=_FAR,
         module=f"{_HERE}.figures.fig07_collapse",
         sheets=same_thickness,
+        measured=("profiles",),
+    ),
+    FigureEntry(
+        name="fig07_page",
+        panel="7",
+        title="far from threshold",
+        caption="Figure 7 whole, against strain: (a) arc width half-way between the clamps and "
+        "(b) confinement; (c) amplitude against wavelength times square root of the confinement, "
+        "and (d) the same for every aspect of the study.",
+        part=_FAR,
+        module=f"{_HERE}.figures.fig07_page",
+        sheets=figure_sheet_then_lengths,
         measured=("profiles",),
     ),
 )

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
+from matplotlib.figure import FigureBase, SubFigure
 
 from wrinklestudy.results.sheets import SheetStates
 from wrinklestudy.study.figures import measured, style
@@ -16,7 +16,13 @@ from wrinklestudy.study.measurements import Points, SheetSize
 _COLUMN = "amplitude_over_thickness"
 
 
-def draw(inputs: Inputs, varied: int, number: Callable[[float], float], symbol: str) -> Figure:
+def draw(
+    inputs: Inputs,
+    varied: int,
+    number: Callable[[float], float],
+    symbol: str,
+    on: SubFigure | None = None,
+) -> FigureBase:
     """Draw max A/t over strain against a number of the sheet, and the curves A/t beside it.
 
     The maximum may lie between the states (`results.peaks`). Of measured data the highest point of
@@ -32,6 +38,8 @@ def draw(inputs: Inputs, varied: int, number: Callable[[float], float], symbol: 
         What the figure is drawn against, as a function of what differs.
     symbol : str
         The name of that number in mathtext.
+    on : SubFigure
+        Part of a page to draw on; without one the figure is made.
     """
 
     def place(sheet: SheetSize) -> float:
@@ -39,7 +47,7 @@ def draw(inputs: Inputs, varied: int, number: Callable[[float], float], symbol: 
 
     pairs = styled(sorted(inputs.series, key=lambda sheet: place(sheet.size)))
     series = [sheet for sheet, _ in pairs]
-    figure = style.new(style.WIDE, 5.2)
+    figure = style.place(on, style.WIDE, 5.2)
     peaks, curves = figure.subplots(1, 2)
     for sheet, look in pairs:
         _maximum(peaks, sheet, look, place(sheet.size))

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
+from matplotlib.figure import FigureBase
 from matplotlib.lines import Line2D
 
 from wrinklestudy.results.sheets import SheetStates
@@ -76,7 +76,7 @@ def overlay(
     return max((measured.band(axes, sheet) for sheet in own), default=0.0)
 
 
-def finish(figure: Figure, axes: Axes, series: list[SheetStates]) -> float:
+def finish(figure: FigureBase, axes: Axes, series: list[SheetStates]) -> float:
     """Set the strain axis and the legend above it; return the largest strain, measured or not."""
     end = max(largest_strain(series), float(axes.dataLim.x1))
     axes.set_xlabel(r"strain $\varepsilon$")
@@ -85,7 +85,7 @@ def finish(figure: Figure, axes: Axes, series: list[SheetStates]) -> float:
     return end
 
 
-def legend(figure: Figure, axes: Axes, series: list[SheetStates], columns: int = 2) -> None:
+def legend(figure: FigureBase, axes: Axes, series: list[SheetStates], columns: int = 2) -> None:
     """Put a legend above the axes that names what the series have in common."""
     names = labels(series)
     style.grow(figure, style.legend_above(axes, names, note(series), columns=columns))

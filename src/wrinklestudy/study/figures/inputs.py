@@ -1,7 +1,7 @@
 """What the figures are drawn from: tables, states and materials, read when they are needed."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -121,6 +121,17 @@ class Inputs:
         if not self.metrics:
             raise ValueError("metrics: no table given, this figure shows sheets")
         return load_sheets(self.metrics, self.stability)
+
+    def only(self, shown: Callable[[SheetStates], bool]) -> "Inputs":
+        """Return the same with some of the sheets alone, for a panel beside others.
+
+        Raises
+        ------
+        ValueError
+            As `series`.
+        """
+        pairs = zip(self.metrics, self.series, strict=True)  # a table is of one sheet
+        return replace(self, metrics=tuple(table for table, sheet in pairs if shown(sheet)))
 
     def loaded_states(self) -> list[StateFile]:
         """Return the states by strain.

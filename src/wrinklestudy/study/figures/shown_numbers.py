@@ -50,9 +50,13 @@ def shown_series(figure: Figure) -> list[ShownSeries]:
     figure : Figure
         As it is saved.
     """
-    names = _names_by_colour(figure)
+    parts = {
+        axes.figure: [other for other in figure.axes if other.figure is axes.figure]
+        for axes in figure.axes
+    }
+    names = {part: _names_by_colour(all_axes) for part, all_axes in parts.items()}
     return [
-        series._replace(label=series.label or names.get(_colour(artist), ""))
+        series._replace(label=series.label or names[axes.figure].get(_colour(artist), ""))
         for number, axes in enumerate(figure.axes, 1)
         for artist in (*axes.lines, *axes.collections, *axes.images)
         for series in _of_artist(number, axes, artist)
@@ -60,10 +64,13 @@ def shown_series(figure: Figure) -> list[ShownSeries]:
     ]
 
 
-def _names_by_colour(figure: Figure) -> dict[str, str]:
-    """Return the names of the legend by colour, for curves that the colour alone names."""
+def _names_by_colour(all_axes: list[Axes]) -> dict[str, str]:
+    """Return the names of the legend by colour, for curves that the colour alone names.
+
+    A part of a page has a legend of its own: the same colour may be another sheet in the next part.
+    """
     names: dict[str, set[str]] = {}
-    for axes in figure.axes:
+    for axes in all_axes:
         for line in axes.lines:
             if not str(line.get_label()).startswith("_"):
                 names.setdefault(_colour(line), set()).add(str(line.get_label()))

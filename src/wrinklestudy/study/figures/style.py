@@ -10,7 +10,7 @@ from typing import Any
 import matplotlib as mpl
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
-from matplotlib.figure import Figure
+from matplotlib.figure import Figure, FigureBase, SubFigure
 
 from wrinklestudy.files.storage import atomic_path
 from wrinklestudy.mechanics.laws import LAWS
@@ -19,6 +19,7 @@ from wrinklestudy.mechanics.laws import LAWS
 COLUMN = 6.5
 WIDE = 13.0
 _CM = 1.0 / 2.54
+LETTER = 9.0  # font size of the letters of panels
 _LINE = 0.36  # height in cm of a line of a legend
 
 # Okabe and Ito's colours, told apart with any colour vision.
@@ -129,9 +130,20 @@ def new(width: float, height: float) -> Figure:
     return Figure(figsize=(width * _CM, height * _CM), layout="constrained")
 
 
+def place(on: SubFigure | None, width: float, height: float) -> FigureBase:
+    """Return the part of a page to draw on, or without one an empty figure of a size in cm."""
+    return on or new(width, height)
+
+
 def panel(width: float = COLUMN, height: float = 4.8) -> tuple[Figure, Axes]:
     """Return a figure of a size in cm with one pair of axes."""
     figure = new(width, height)
+    return figure, figure.add_subplot()
+
+
+def panel_on(on: SubFigure | None, height: float = 4.8) -> tuple[FigureBase, Axes]:
+    """Return one pair of axes on a part of a page, or without one on a figure of one column."""
+    figure = place(on, COLUMN, height)
     return figure, figure.add_subplot()
 
 
@@ -179,9 +191,10 @@ def legend_above(
     return _LINE * (lines + bool(title)) + 0.1
 
 
-def grow(figure: Figure, height: float) -> None:
-    """Make a figure taller by a height in cm."""
-    figure.set_figheight(float(figure.get_figheight()) + height * _CM)
+def grow(figure: FigureBase, height: float) -> None:
+    """Make a figure taller by a height in cm; a part of a page is as tall as the page gives it."""
+    if isinstance(figure, Figure):
+        figure.set_figheight(float(figure.get_figheight()) + height * _CM)
 
 
 def save(figure: Figure, path: str | PathLike[str]) -> None:

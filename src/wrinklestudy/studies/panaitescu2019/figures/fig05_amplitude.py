@@ -2,7 +2,7 @@
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
+from matplotlib.figure import FigureBase, SubFigure
 
 from wrinklestudy.results.sheets import SheetStates
 from wrinklestudy.study.figures import style
@@ -19,10 +19,10 @@ from wrinklestudy.study.figures.inputs import Inputs
 _COLUMN = "amplitude_over_thickness"
 
 
-def draw(inputs: Inputs) -> Figure:
+def draw(inputs: Inputs, on: SubFigure | None = None) -> FigureBase:
     """Draw A/t against strain; diamonds are birth and decay strain of the eigenvalue problem."""
     series = inputs.series
-    figure, axes = style.panel()
+    figure, axes = style.panel_on(on)
     for sheet, look in styled(series):
         axes.plot(*sheet.curve(_COLUMN), look.line, color=look.color, lw=0.8)
         points(axes, sheet, look, _COLUMN)

@@ -4,7 +4,7 @@ lambda_CM = sqrt(2 pi L t) / [3 (1 - nu^2) eps]^(1/4) with nu = 1/2.
 """
 
 import numpy as np
-from matplotlib.figure import Figure
+from matplotlib.figure import FigureBase, SubFigure
 
 from wrinklestudy.studies.panaitescu2019 import theory
 from wrinklestudy.study.figures import style
@@ -21,10 +21,10 @@ from wrinklestudy.study.figures.inputs import Inputs
 _COLUMN = "wavelength_over_width"
 
 
-def draw(inputs: Inputs) -> Figure:
+def draw(inputs: Inputs, on: SubFigure | None = None) -> FigureBase:
     """Draw lambda/W of the wrinkled states against strain and the closed form beside it."""
     series = inputs.series
-    figure, axes = style.panel()
+    figure, axes = style.panel_on(on)
     for sheet, look in styled(series):
         axes.plot(
             sheet.column("strain"), sheet.column(_COLUMN), look.line, color=look.color, lw=0.8

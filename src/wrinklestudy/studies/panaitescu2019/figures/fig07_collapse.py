@@ -4,7 +4,7 @@ The caption in the paper says both eps > 0 and eps > 0.15; the second is used.
 """
 
 import numpy as np
-from matplotlib.figure import Figure
+from matplotlib.figure import FigureBase, SubFigure
 
 from wrinklestudy.studies.panaitescu2019.figures import slaving
 from wrinklestudy.study.figures import measured, style
@@ -15,10 +15,10 @@ from wrinklestudy.study.figures.inputs import Inputs
 ABOVE = 0.15
 
 
-def draw(inputs: Inputs) -> Figure:
+def draw(inputs: Inputs, on: SubFigure | None = None) -> FigureBase:
     """Draw A/t against Phi lambda/t of the wrinkled states beyond the strain `ABOVE`."""
     series = sorted(inputs.series, key=lambda sheet: (sheet.aspect, sheet.thickness))
-    figure, axes = style.panel(height=6.4)
+    figure, axes = style.panel_on(on, 6.4)
     scans = inputs.scans_of([sheet.size for sheet in series])
     shown = [scan for scan in scans if scan.strain > ABOVE]
     farthest, highest = measured.slaving(axes, shown)

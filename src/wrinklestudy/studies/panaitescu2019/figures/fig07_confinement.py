@@ -6,7 +6,7 @@ Cerda-Mahadevan model assumes.
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
+from matplotlib.figure import FigureBase, SubFigure
 
 from wrinklestudy.results.sheets import SheetStates
 from wrinklestudy.studies.panaitescu2019 import theory
@@ -17,10 +17,10 @@ from wrinklestudy.study.figures.inputs import Inputs
 _COLUMN = "phi_squared"
 
 
-def draw(inputs: Inputs) -> Figure:
+def draw(inputs: Inputs, on: SubFigure | None = None) -> FigureBase:
     """Draw Phi^2 of the full width against strain, birth and decay included."""
     series = inputs.series
-    figure, axes = style.panel()
+    figure, axes = style.panel_on(on)
     for sheet, look in styled(series):
         strain, confinement = sheet.curve(_COLUMN)
         axes.plot(strain, 1e3 * confinement, look.line, color=look.color, lw=0.8)

@@ -1,7 +1,7 @@
 """Fig. 7c: amplitude against Phi lambda over the whole range of strain."""
 
 import numpy as np
-from matplotlib.figure import Figure
+from matplotlib.figure import FigureBase, SubFigure
 
 from wrinklestudy.studies.panaitescu2019.figures import slaving
 from wrinklestudy.study.figures import measured, style
@@ -9,10 +9,10 @@ from wrinklestudy.study.figures.against_strain import legend, styled
 from wrinklestudy.study.figures.inputs import Inputs
 
 
-def draw(inputs: Inputs) -> Figure:
+def draw(inputs: Inputs, on: SubFigure | None = None) -> FigureBase:
     """Draw A/t against Phi lambda/t of the wrinkled states, arrows towards larger strain."""
     series = inputs.series
-    figure, axes = style.panel(height=5.4)
+    figure, axes = style.panel_on(on, 5.4)
     farthest, highest = measured.slaving(axes, inputs.scans_of([sheet.size for sheet in series]))
     for sheet, look in styled(series):
         for average in slaving.AVERAGES:

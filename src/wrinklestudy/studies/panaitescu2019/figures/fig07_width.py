@@ -1,7 +1,7 @@
 """Fig. 7a: actual width W_act, the arc length across the centre, against strain."""
 
 import numpy as np
-from matplotlib.figure import Figure
+from matplotlib.figure import FigureBase, SubFigure
 
 from wrinklestudy.studies.panaitescu2019 import theory
 from wrinklestudy.study.figures import style
@@ -9,10 +9,10 @@ from wrinklestudy.study.figures.against_strain import finish, largest_strain, po
 from wrinklestudy.study.figures.inputs import Inputs
 
 
-def draw(inputs: Inputs) -> Figure:
+def draw(inputs: Inputs, on: SubFigure | None = None) -> FigureBase:
     """Draw W_act/W with 1 - nu eps and, for finite strain, (1 + eps)^(-1/2)."""
     series = inputs.series
-    figure, axes = style.panel()
+    figure, axes = style.panel_on(on)
     strain = np.linspace(0.0, largest_strain(series), 200)
     linear = theory.actual_width(strain)
     name = r"$1 - \nu\varepsilon$, $\nu = 1/2$"
