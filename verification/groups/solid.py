@@ -2,85 +2,40 @@
 
 from collections.abc import Hashable
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
-import numpy as np
 import pandas as pd
 
 from verification.checks import Check, Group, Table, conclusion, write
 from verification.tools import solid_table as solid
-from verification.tools.solid_table import SolidCase, case
+from verification.tools.solid_estimates import (
+    PAPER,
+    Estimate,
+    Pieces,
+    clamp_step,
+    estimate,
+    extrapolated,
+    pieces_of,
+    strain_of,
+)
+from verification.tools.solid_table import case
 from wrinklestudy.fem.grid import MeshSettings
 from wrinklestudy.sheet import Sheet
 from wrinklestudy.study.figures import style
 from wrinklestudy.typing import AnyPath
 
-SHEETS = (("paper", 1.0e-3), ("paper", 1.2e-3), ("neo-Hookean", 1.0e-3), ("10:1", 1.0e-3))
+SHEETS = (PAPER, ("paper", 1.2e-3), ("neo-Hookean", 1.0e-3), ("10:1", 1.0e-3))
 LAWS = ("thinning", "fixed-thickness", "fvk")
 STRAIN_BAR = 8.0e-4  # between solid and plate
 ERROR_BAR = 4.0e-4  # of the solid itself
 AMPLITUDE_BAR = 0.003
 _SAME = 2.0e-5  # strains that are computed again on the same mesh
 _LAYERS_BAR = 1.0e-4
-_CLAMP_BAR = 2.0e-3  # a fortieth of what lies between the bending laws
+FINER = solid.FINEST[0] / solid.FINE[0]
 _BULK_BAR = 0.1  # of the ratio in which the error falls with K
-_ORDER = 4  # of convergence
 _AGAIN = 0.18  # strain of the state that is computed again
 _APART = 10.0  # error bars between the solid and a law that is refuted
 _ENDS = ("birth", "decay")
-
-
-class Estimate(NamedTuple):
-    """A strain of the solid, extrapolated in the mesh and in K/mu."""
-
-    strain: float
-    bar: float
-    finest: float
-    mesh_step: float  # what extrapolation in the mesh adds
-    bulk_step: float  # what extrapolation in K/mu adds
-
-
-class Pieces(NamedTuple):
-    """What the difference of the decay strains of solid and plate is made of."""
-
-    difference: float
-    shear: float
-    clamp: float
-    layers: float
-
-
-def extrapolated(coarse: float, fine: float, ratio: float) -> float:
-    """Return the limit of a sequence whose error falls with the fourth power of the cell size.
-
-    Parameters
-    ----------
-    coarse, fine : float
-    ratio : float
-        Cells of the finer mesh over those of the coarser.
-    """
-    return fine + (fine - coarse) / (ratio**_ORDER - 1.0)
-
-
-def _strain(ends: pd.DataFrame, end: str, wanted: SolidCase) -> float:
-    return float(solid.rows_of(ends, wanted)[end].iloc[0])
-
-
-def bulk_step(ends: pd.DataFrame, end: str) -> float:
-    """Return what is lacking at K/mu = 1e4: the error falls like mu/K from K/mu = 1000 on."""
-    soft, stiff = (
-        _strain(ends, end, case("paper", 1.0e-3, solid.FINE, bulk)) for bulk in (1.0e3, solid.STIFF)
-    )
-    return (stiff - soft) / (solid.STIFF / 1.0e3 - 1.0)
-
-
-def estimate(ends: pd.DataFrame, end: str, sheet: tuple[str, float]) -> Estimate:
-    """Return the best value of a strain, with what both extrapolations add as its error bar."""
-    is_paper = sheet == SHEETS[0]
-    meshes = (solid.FINE, solid.FINEST) if is_paper else (solid.MIDDLE, solid.FINE)
-    coarse, fine = (_strain(ends, end, case(*sheet, cells)) for cells in meshes)
-    limit = extrapolated(coarse, fine, meshes[1][0] / meshes[0][0])
-    more = bulk_step(ends, end)
-    return Estimate(limit + more, abs(limit - fine) + abs(more), fine, limit - fine, more)
 
 
 def _end_checks(ends: pd.DataFrame, best: dict[tuple[str, str, float], Estimate]) -> list[Check]:
@@ -115,21 +70,30 @@ def _option_checks(ends: pd.DataFrame) -> list[Check]:
     usual = case("paper", 1.0e-3, solid.FINE)
     for end in _ENDS:
         values = [
-            _strain(ends, end, case("paper", 1.0e-3, solid.FINE, bulk))
+            strain_of(ends, end, case("paper", 1.0e-3, solid.FINE, bulk))
             for bulk in (200.0, 1.0e3, solid.STIFF)
         ]
         fall = (values[0] - values[2]) / (values[1] - values[2])
         expected = (1 / 200 - 1 / solid.STIFF) / (1 / 1.0e3 - 1 / solid.STIFF)
         why = "the error goes like mu/K"
         checks.append(Check(f"{end}: K/mu 200 and 1000", fall, expected, _BULK_BAR, reason=why))
-        two = _strain(ends, end, case("paper", 1.0e-3, solid.FINE, layers=2))
-        face = _strain(ends, end, case("paper", 1.0e-3, solid.FINE, clamp="face"))
-        known = _strain(ends, end, usual)
+        two = strain_of(ends, end, case("paper", 1.0e-3, solid.FINE, layers=2))
+        coarse, fine = (clamp_step(ends, end, cells) for cells in (solid.FINE, solid.FINEST))
+        known = strain_of(ends, end, usual)
         one = "one element of order 3 holds all that happens through the thickness"
-        held = "cells at the clamp are wider than the layer that holding the thickness makes"
+        held = "both clamps on the finest mesh"
+        falls = "cells at the clamp are wider than the layer that holding the thickness makes"
         checks += [
             Check(f"{end}: two layers", two, known, _LAYERS_BAR, "absolute", one),
-            Check(f"{end}: whole face clamped", face, known, _CLAMP_BAR, "absolute", held),
+            Check(f"{end}: whole face clamped", fine, 0.0, STRAIN_BAR, "absolute", held),
+            Check(
+                f"{end}: what holding the face costs, finer mesh over coarser",
+                fine / coarse,
+                1.0 / FINER,
+                0.0,
+                "at most",
+                falls,
+            ),
         ]
     return checks
 
@@ -181,28 +145,6 @@ def _state_checks(states: pd.DataFrame, plates: dict[float, float]) -> tuple[lis
     return checks, Table("A/t of wrinkled solids", columns, rows)
 
 
-def _pieces(ends: pd.DataFrame, best: Estimate) -> Pieces:
-    """Return what the difference of the decay strains is made of.
-
-    Transverse shear makes a plate softer by 2/5 (k t)^2 with the wave number k (nu = 1/2, shear
-    factor 5/6), so that tau_1 grows by half of that and the decay strain by its slope.
-    """
-    plate = solid.plate_ends("paper", 1.0e-3)[1]
-    sheet = Sheet(2.0, 1.0e-3, solid.MATERIALS["paper"])
-    below, above = (sheet.mode(plate + step).critical_thickness for step in (-0.005, 0.005))
-    y = np.linspace(0.0, 0.5, 4001)
-    across = sheet.mode(plate).deflection(0.0, y)
-    turning = y[np.flatnonzero(np.diff(np.sign(np.diff(across)))) + 1]
-    wave_number = np.pi / float(turning[1] - turning[0])
-    softer = 0.4 * (wave_number * 1.0e-3) ** 2
-    usual, two, face = (
-        _strain(ends, "decay", case("paper", 1.0e-3, solid.FINE, **options))
-        for options in ({}, {"layers": 2}, {"clamp": "face"})
-    )
-    shear = 0.5 * softer * 1.0e-3 * 0.01 / (below - above)
-    return Pieces(best.strain - plate, shear, face - usual, two - usual)
-
-
 def again(cells: tuple[int, int], ends: pd.DataFrame) -> list[Check]:
     """Return the check that birth and decay on a mesh, computed now, are those of the table."""
     wanted = case("paper", 1.0e-3, cells)
@@ -210,7 +152,7 @@ def again(cells: tuple[int, int], ends: pd.DataFrame) -> list[Check]:
         Check(
             f"{end} on {cells[0]} x {cells[1]}, computed now",
             found.strain,
-            _strain(ends, end, wanted),
+            strain_of(ends, end, wanted),
             _SAME,
             "absolute",
             "the kept table",
@@ -375,7 +317,7 @@ def run(output: AnyPath) -> None:
         f"{row['date']}, FElupe {row['felupe']}"
         for row in ends[["date", "felupe"]].drop_duplicates().to_dict("records")
     )
-    pieces = _pieces(ends, best["decay", *SHEETS[0]])
+    pieces = pieces_of(ends, best["decay", *SHEETS[0]])
     _plot(states, plates, output.with_name("solid.png"))
     caption = "A/t of the solid on 16 x 32 cells and of plates under two bending laws."
     group = Group(

@@ -79,7 +79,7 @@ def end_cases() -> list[SolidCase]:
         case("paper", 1.0e-3, FINEST),
         *(case("paper", 1.0e-3, FINE, bulk) for bulk in (200.0, 1000.0)),
         case("paper", 1.0e-3, FINE, layers=2),
-        case("paper", 1.0e-3, FINE, clamp="face"),
+        *(case("paper", 1.0e-3, cells, clamp="face") for cells in (FINE, FINEST)),
     ]
 
 
