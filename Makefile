@@ -18,7 +18,7 @@ SNAKEMAKE := $(BIN)/python workflow/unlock.py && $(BIN)/snakemake --cores $(CORE
 ONE_THREAD := OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 .DEFAULT_GOAL := help
-.PHONY: help env figures quick beyond report explorer film docs test verify verify-solid bench lint schema lock
+.PHONY: help env figures quick beyond report explorer film docs test verify verify-solid bench bench-plan test-slurm lint schema lock
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1	/p' $(MAKEFILE_LIST)
@@ -79,6 +79,12 @@ bench: $(READY) ## time the solver and the whole study (half an hour): docs/perf
 	$(BIN)/python benchmarks/bench_mesh.py results/bench/mesh.json
 	$(BIN)/python benchmarks/bench_thin.py results/bench/thin.json
 	$(BIN)/python benchmarks/report.py results/bench docs/performance.md
+
+bench-plan: $(READY) ## time the planning of up to 50,000 states (ten minutes): docs/planning.md
+	$(BIN)/python benchmarks/bench_plan.py docs/planning.md
+
+test-slurm: $(READY) ## run the quick study through a Slurm cluster of one node (root, Debian's slurm-wlm and munge)
+	WRINKLESTUDY_SLURM=1 $(ONE_THREAD) $(BIN)/python -m pytest tests/workflow/slurm --numprocesses 0 -v
 
 lint: $(READY) ## check style, types and workflow
 	$(BIN)/ruff check .

@@ -13,7 +13,7 @@ from socket import gethostname
 PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch")
 _PATH = f"{os.environ['PATH']}:/usr/sbin"
 _PATIENCE = 60  # seconds for the node to come up
-# The executor takes all SLURM_ variables out of a job: there Slurm is found at its usual place only.
+# The executor takes all SLURM_ variables out of a job, which finds Slurm at its usual place only.
 USUAL = Path("/etc/slurm/slurm.conf")
 
 

@@ -71,7 +71,7 @@ def drain_and_resume(cluster, seen):
     cluster.drain(False)
 
 
-def test_a_node_that_is_drained_and_resumed_changes_nothing(project, finished_quick, cluster, tmp_path):
+def test_a_drained_node_changes_nothing(project, finished_quick, cluster, tmp_path):
     """The tables are byte for byte those of a run without a cluster."""
     study, seen = project(tmp_path), []
     draining = threading.Thread(target=drain_and_resume, args=(cluster, seen))
