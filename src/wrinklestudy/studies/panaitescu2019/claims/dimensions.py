@@ -9,7 +9,8 @@ from wrinklestudy.typing import Array
 
 SHORT, LONG = 1.5, 3.0  # L/W
 CUTOFF_RANGE = (1.5, 3.5)  # L/W: the shortest and longest sheets of the paper
-EARLIER_ISLAND = 2.6  # L/W, upper end that Li and Healey predict
+# L/W, upper end that Li and Healey predict (J. Mech. Phys. Solids 97, 2016), and its rounding
+EARLIER_ISLAND, SAME_END = 2.6, 0.05
 
 _PEAK = "max_amplitude_over_thickness"
 
