@@ -7,7 +7,6 @@ from importlib.metadata import version
 import pandas as pd
 
 from verification.groups.solid import SHEETS, estimate
-
 from verification.tools.solid_table import (
     ENDS,
     MATERIALS,

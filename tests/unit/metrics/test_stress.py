@@ -88,7 +88,7 @@ def test_a_long_flat_sheet_is_in_uniaxial_tension_in_its_middle():
 
 
 def test_a_linear_strain_has_stretches_and_stresses_of_hooke():
-    """At any strain: lambda = 1 + E, sigma = Y E/(1 - nu^2) in plane stress, with Y = 2 (1 + nu)."""
+    """At any strain lambda = 1 + E and, in uniaxial tension, sigma = Y E with Y = 2 (1 + nu) mu."""
     nu, strain = 0.3, 0.4
     section = Section(foppl_von_karman(1.0e6, nu).law, 1e-3, "fvk")
     sheet = affine([[1.0 + strain, 0.2], [0.0, 1.0 - nu * strain], [0.0, 0.0]])

@@ -9,12 +9,12 @@ from dataclasses import dataclass, replace
 
 from wrinklestudy.results.sheets import MissingError
 from wrinklestudy.studies.literature import sources
+from wrinklestudy.studies.literature.claims.lengths import TEN_TO_ONE
 from wrinklestudy.studies.literature.claims.shapes import relative_force
 from wrinklestudy.studies.literature.claims.strains import LONG, NAYYAR, THIN, birth_and_decay
 from wrinklestudy.studies.literature.islands import HELD, largest_at
 from wrinklestudy.studies.literature.statement import (
     Published,
-    bending_values,
     under_each_bending_law,
 )
 from wrinklestudy.studies.panaitescu2019.claims.dimensions import EARLIER_ISLAND
@@ -72,9 +72,14 @@ def _force(study: StudyTables) -> tuple[Value, ...]:
 
 def _ratio(study: StudyTables) -> tuple[Value, ...]:
     highest = largest_at(study.table("map"), EARLIER_ISLAND)
-    ratios = {name: top / EARLIER_ISLAND for name, top in highest.items()}
-    known = {"fvk": ratios[name] for name in ("mr-010-fvk",) if name in ratios}
-    return bending_values(f"t/L at which the last L/W is {EARLIER_ISLAND:g}", known)
+    return tuple(
+        Value(
+            f"t/L at which the last L/W is {EARLIER_ISLAND:g}, {bending}",
+            highest[model] / EARLIER_ISLAND,
+        )
+        for model, bending in TEN_TO_ONE.items()
+        if model in highest
+    )
 
 
 _MEMORY = "from memory; to be read"

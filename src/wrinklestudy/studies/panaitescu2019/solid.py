@@ -1,7 +1,7 @@
 """Birth and decay of the paper's sheet as a solid, without any theory of plates.
 
-The numbers are in ``solid.csv``, which ``make verify-solid`` writes: extrapolated in the mesh and in
-K/mu, with what both extrapolations add as the error bar.
+The numbers are in ``solid.csv``, which ``make verify-solid`` writes: extrapolated in the mesh and
+in K/mu, with what both extrapolations add as the error bar.
 """
 
 import csv

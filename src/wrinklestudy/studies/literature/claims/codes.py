@@ -81,7 +81,7 @@ def _apart(some: tuple[float, float], others: tuple[float, float]) -> float:
         law="not stated; Mooney-Rivlin of the benchmark",
     ),
     order=(6, 0, 2),
-    says="the shape with which the benchmark is perturbed.",
+    says="a shape of the sheet, with which its benchmark is perturbed, is published as data.",
     reading="Read as the critical mode at small strain, where all bending laws are one: "
     f"`Sheet.mode({published_mode.STRAIN:g})`. How the file was made is not stated.",
     tolerance="places of crests and troughs within "
@@ -143,7 +143,8 @@ def example_wrinkles(study: StudyTables) -> Finding:
         clamps="one end fixed, one displaced",
     ),
     order=(6, 0, 4),
-    says="load factors of linear buckling from a strain of 1%, by COMSOL.",
+    says="linear buckling from a strain of 1%, by COMSOL, has load factors from "
+    f"{min(LOAD_FACTORS.values()):g} to {max(LOAD_FACTORS.values()):g}.",
     reading="Read as critical strain over that strain; computed here from the critical thickness "
     f"at ε = {PRESTRAIN:g}, (t/τ)².",
     tolerance=f"within {CLOSE:.0%} at every L/W that was computed",

@@ -12,6 +12,7 @@ from wrinklestudy.study.claims.finding import (
     Finding,
     Value,
     listed,
+    number_text,
     verdict_across,
     verdict_of,
 )
@@ -44,13 +45,13 @@ def decay_with_finite_strain(study: StudyTables) -> Finding:
     return Finding(
         verdict_of(math.isfinite(sheet.decay)),
         (Value("birth strain, fvk", sheet.birth), Value("decay strain, fvk", sheet.end)),
-        f"Wrinkles are there from {sheet.birth:.4g} on, and {_until(sheet)}.",
+        f"Wrinkles come at ε = {number_text(sheet.birth, 4)} and {_until(sheet)}.",
         sheets=(sheet,),
     )
 
 
 def _until(sheet: SheetStates) -> str:
-    return f"gone at {sheet.decay:.4g}" if math.isfinite(sheet.decay) else "do not vanish"
+    return f"vanish at {sheet.decay:.4g}" if math.isfinite(sheet.decay) else "do not vanish"
 
 
 @statement(

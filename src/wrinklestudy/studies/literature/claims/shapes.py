@@ -234,5 +234,6 @@ def poisson_contraction_compresses(study: StudyTables) -> Finding:
             Value("largest τ/W with ν = 0", highest),
             Value("largest τ/W with ν = 1/2", other),
         ),
-        f"With ν = 0 the largest critical thickness is {highest:.3g} W, with ν = 1/2 {other:.3g} W.",
+        f"The largest critical thickness is {highest:.3g} W with ν = 0 and {other:.3g} W with "
+        "ν = 1/2.",
     )

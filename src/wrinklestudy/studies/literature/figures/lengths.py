@@ -1,6 +1,5 @@
 """Where sheets wrinkle, over strain and L/W, with t/W held and with t/L held."""
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -17,17 +16,24 @@ _FEWEST = 3  # L/W between which a boundary can be drawn
 
 
 def draw(inputs: Inputs) -> Figure:
-    """Draw the boundary of every model in a panel for each ratio."""
+    """Draw the boundary of every model in a panel for each ratio, over the first model's lengths.
+
+    Raises
+    ------
+    ValueError
+        If no model has enough lengths.
+    """
     models = [
         (title, strain_map.of_table(rows)) for title, rows in maps.by_model(inputs.table("map"))
     ]
     drawn = [(title, shown) for title, shown in models if len(shown.aspects) >= _FEWEST]
+    if not drawn:
+        raise ValueError(f"map: none has {_FEWEST} lengths, between which it could be drawn")
     figure, panels = strain_map.panels(len(HELD))
     for axes, (held, thickness) in zip(panels, HELD.items(), strict=True):
         for (title, shown), look in zip(drawn, style.looks([t for t, _ in drawn]), strict=True):
             _boundary(axes, shown, held, thickness, look, title)
-        widest = max((shown for _, shown in drawn), key=lambda shown: shown.aspects[-1])
-        strain_map.finish(axes, widest, f"${held} = {number(thickness)}$")
+        strain_map.finish(axes, drawn[0][1], f"${held} = {number(thickness)}$ held")
         axes.axhline(LONG, color=style.GREY, lw=0.8, ls=":", label=f"$L/W = {LONG:g}$")
         published = f"published end, $L/W = {EARLIER_ISLAND:g}$"
         axes.axhline(EARLIER_ISLAND, color=style.BLACK, lw=0.8, ls="--", label=published)
@@ -39,14 +45,14 @@ def _boundary(
     axes: Axes, shown: StrainMap, held: Held, thickness: float, look: style.Look, title: str
 ) -> None:
     """Draw where the critical thickness equals that of the sheet; wrinkled inside."""
-    given = thickness * shown.aspects[:, None] if held == "t/L" else thickness
-    excess = (shown.values / given) ** 2 - 1.0
+    strains, aspects, values = strain_map.finer(shown)
+    given = thickness * aspects[:, None] if held == "t/L" else thickness
+    excess = (values / given) ** 2 - 1.0
     if (excess > 0.0).any():
-        masked = np.ma.masked_invalid(excess)
         axes.contour(
-            shown.strains,
-            shown.aspects,
-            masked,
+            strains,
+            aspects,
+            excess,
             levels=[0.0],
             colors=look.color,
             linestyles=look.line,
