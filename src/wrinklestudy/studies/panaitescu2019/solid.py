@@ -55,5 +55,13 @@ def solid_ends() -> dict[str, SolidEnd]:
 def _rows() -> Iterator[tuple[str, SolidEnd]]:
     with open(FILE, newline="", encoding="utf-8") as file:
         for row in csv.DictReader(file):
-            size = [float(row[name]) for name in ("strain", "bar", "aspect", "thickness")]
-            yield row["end"], SolidEnd(*size, ratio=float(row["c01_pa"]) / float(row["c10_pa"]))
+            yield (
+                row["end"],
+                SolidEnd(
+                    strain=float(row["strain"]),
+                    bar=float(row["bar"]),
+                    aspect=float(row["aspect"]),
+                    thickness=float(row["thickness"]),
+                    ratio=float(row["c01_pa"]) / float(row["c10_pa"]),
+                ),
+            )

@@ -149,7 +149,8 @@ def _ends(margins: list[tuple[float, float]]) -> tuple[float, float]:
         L/W, and the largest critical thickness over t, by L/W; linear between neighbours. An end
         beyond them is NaN.
     """
-    ups, downs = [], []
+    ups: list[float] = []
+    downs: list[float] = []
     for (a, here), (b, there) in pairwise(margins):
         if (here > 1.0) != (there > 1.0):
             crossing = a + (b - a) * (here - 1.0) / (here - there)
