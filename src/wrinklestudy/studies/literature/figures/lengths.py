@@ -16,7 +16,7 @@ _FEWEST = 3  # L/W between which a boundary can be drawn
 
 
 def draw(inputs: Inputs) -> Figure:
-    """Draw the boundary of every model in a panel for each ratio, over the first model's lengths.
+    """Draw the boundary of every model in a panel for each ratio, over the lengths of the finest.
 
     Raises
     ------
@@ -29,11 +29,12 @@ def draw(inputs: Inputs) -> Figure:
     drawn = [(title, shown) for title, shown in models if len(shown.aspects) >= _FEWEST]
     if not drawn:
         raise ValueError(f"map: none has {_FEWEST} lengths, between which it could be drawn")
+    finest = max((shown for _, shown in drawn), key=lambda shown: len(shown.aspects))
     figure, panels = strain_map.panels(len(HELD))
     for axes, (held, thickness) in zip(panels, HELD.items(), strict=True):
         for (title, shown), look in zip(drawn, style.looks([t for t, _ in drawn]), strict=True):
             _boundary(axes, shown, held, thickness, look, title)
-        strain_map.finish(axes, drawn[0][1], f"${held} = {number(thickness)}$ held")
+        strain_map.finish(axes, finest, f"${held} = {number(thickness)}$ held")
         axes.axhline(LONG, color=style.GREY, lw=0.8, ls=":", label=f"$L/W = {LONG:g}$")
         published = f"published end, $L/W = {EARLIER_ISLAND:g}$"
         axes.axhline(EARLIER_ISLAND, color=style.BLACK, lw=0.8, ls="--", label=published)
