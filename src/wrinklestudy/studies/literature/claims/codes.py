@@ -103,7 +103,7 @@ def shape_of_the_mode(study: StudyTables) -> Finding:
     return Finding(
         verdict_of(holds),
         tuple(Value(f"{n.name} ({n.published:g})", n.computed, digits=4) for n in numbers),
-        f"Farthest off is {worst.name}: {worst.computed:.4f} against {worst.published:g}.",
+        f"Farthest off: {worst.name} = {worst.computed:.4f}, published {worst.published:g}.",
     )
 
 

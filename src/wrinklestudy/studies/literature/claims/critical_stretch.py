@@ -62,7 +62,7 @@ def critical_stretch_of_long_sheets(study: StudyTables) -> Finding:
     return Finding(
         verdict_of(abs(power - LONG_POWER) <= OFF),
         (Value("power of L/W", power), *_strain_values(long)),
-        f"Birth strains: {_birth_text(long)}. {_WHY}",
+        f"Birth strains, {_birth_text(long)}, go as L/W to the power {power:.2g}. {_WHY}",
     )
 
 

@@ -126,8 +126,9 @@ def contradiction_at_three(study: StudyTables) -> Finding:
             Value("t/W if t/L is held", long),
         ),
         f"At L/W = {LONG:g} sheets thinner than {listed(highest)} in units of W wrinkle at some "
-        f"strain. Held at t/W = {wide:g} they do, held at t/L = {HELD['t/L']:g} they are "
-        f"{long:g} W thick.",
+        f"strain: of {len(highest)} models {sum(t > wide for t in highest.values())} with t/W = "
+        f"{wide:g} held and {sum(t > long for t in highest.values())} with t/L = "
+        f"{HELD['t/L']:g} held, {long:g} W thick.",
         what,
     )
 

@@ -135,9 +135,9 @@ def wavelength_of_the_formula(study: StudyTables) -> Finding:
             *bending_values("smallest λ over formula", {n: r.min() for n, r in ratios.items()}),
             *bending_values("largest λ over formula", {n: r.max() for n, r in ratios.items()}),
         ),
-        f"λ is {low:.3g} to {high:.3g} of the formula. It takes wrinkles that hide the whole of "
-        f"Poisson's contraction, over the whole length; Panaitescu et al. 2019 multiply it by "
-        f"{theory.WAVELENGTH_FACTOR:g} at L/W = 2.",
+        f"λ is {low:.3g} to {high:.3g} of the formula. It balances bending and tension along "
+        "wrinkles as long as the sheet; those computed end before the clamps. Panaitescu et al. "
+        f"2019 multiply it by {theory.WAVELENGTH_FACTOR:g} at L/W = 2.",
         what,
         tuple(sheets.values()),
     )

@@ -203,9 +203,9 @@ def polyethylene_stays_wrinkled(study: StudyTables) -> Finding:
 def soft_films(study: StudyTables) -> Finding:
     """Compare the decay strains of all rubbers."""
     sheets = {
-        "neo-Hookean, L/W = 2.5": sheet_of(study, "nayyar", LONG, THIN),
-        "C10 = 10 C01, L/W = 2": sheet_of(study, "mr-010", 2.0, THIN),
-        "latex, L/W = 2": study.sheet,
+        "the neo-Hookean one": sheet_of(study, "nayyar", LONG, THIN),
+        "C10 = 10 C01": sheet_of(study, "mr-010", 2.0, THIN),
+        "latex": study.sheet,
     }
     ends = {name: sheet.end for name, sheet in sheets.items()}
     holds = {name: end <= (1.0 + ABOUT) * SOFT_RANGE for name, end in ends.items()}
