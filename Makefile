@@ -47,6 +47,12 @@ beyond: $(READY) ## run the study beyond the paper (config/beyond.yaml): figures
 	cp results/beyond/claims/claims.md docs/beyond.md
 	cp figures/beyond/*.png docs/beyond/
 
+literature: $(READY) ## run the study of what others published (config/literature.yaml): docs/literature_study.md
+	$(SNAKEMAKE) --configfile config/literature.yaml
+	@mkdir -p docs/literature
+	cp results/literature/claims/claims.md docs/literature_study.md
+	cp figures/literature/*.png docs/literature/
+
 report: $(READY) ## run the study and put figures, claims and run times into report/report.html
 	$(SNAKEMAKE) $(CONFIG:%=--configfile %)
 	@mkdir -p $(dir $(REPORT))

@@ -10,6 +10,7 @@ from pydantic import ValidationError
 
 from wrinklestudy.mechanics.bending import check_bending
 from wrinklestudy.mechanics.laws import law_of
+from wrinklestudy.mechanics.relaxed import check_relaxed
 from wrinklestudy.results import cases
 from wrinklestudy.study.config.blocks import (
     AnalysisBlock,
@@ -130,6 +131,7 @@ def _contradictions(study: StudyConfig) -> Iterator[str]:
     # in a tension field there is nothing to bend, and no wrinkle with a parity
     yield from _wrong_series("tension", study.tension_series, materials, "materials")
     yield from _wrong_series("compression", study.compression_series, materials, "materials")
+    yield from _without_tension_field(study)
     yield from _wrong_bendings(study)
     yield from _missing_figure_sheets(study)
 
@@ -194,6 +196,18 @@ def _wrong_bendings(study: StudyConfig) -> Iterator[str]:
             check_bending(law_of(material.law), bending)
         except ValueError as error:
             yield f"{'variants' if variant else 'materials'}.{name}: {error}"
+
+
+def _without_tension_field(study: StudyConfig) -> Iterator[str]:
+    """Yield which entries of tension are of a law without a tension field."""
+    for i, series in enumerate(study.tension_series):
+        material = study.materials.get(series.material)
+        if material is None:
+            continue  # already refused
+        try:
+            check_relaxed(law_of(material.law))
+        except ValueError as error:
+            yield f"tension[{i}].material = {series.material!r}: {error}"
 
 
 def _missing_figure_sheets(study: StudyConfig) -> Iterator[str]:
