@@ -125,7 +125,9 @@ def deflection_forms(flat: Flat, bending: str, symmetry: Symmetry) -> Deflection
         If the bending law has no value at the flat state.
     """
     space = flat.space
-    stress, bent = plate.deflection(flat.law, bending, space.derivatives(flat.sheet_position))
+    stress, bent = plate.deflection(
+        flat.law, bending, space.derivatives(flat.sheet_position), space.relative_thickness
+    )
     if not np.isfinite(bent).all():
         raise ArithmeticError(
             f"flat state at strain {flat.strain:g}: the law leaves no thickness somewhere"

@@ -106,7 +106,7 @@ def _bump(grid: Grid, height: float) -> Array:
 
 def _relaxed(problem: PlateProblem, start: Array, options: newton.NewtonOptions) -> Array:
     """Return the position where a part of the sheet is in equilibrium, or the start."""
-    free, thickness = problem.assembler.free, problem.section.thickness
+    free, thickness = problem.assembler.free, problem.thickness
     options = replace(options, first_shift=thickness**2, noise=ROUNDING * thickness)
     smooth = Predicting(problem) if options.smooth else problem
     minimum = newton.minimise(smooth, start[free], problem.assembler.solver, options)
