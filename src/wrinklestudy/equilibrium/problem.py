@@ -50,6 +50,7 @@ class PlateProblem:
         weight: float = 0.0,
     ) -> None:
         relative = space.relative_thickness
+        self.uniform = section  # of the mean thickness
         self.section = replace(section, thickness=section.thickness * relative)
         self.assembler = shared_assembler(space, free, slopes=slopes)
         self.thickness = section.thickness

@@ -1,0 +1,107 @@
+"""Modes of a sheet whose pattern may slide across, in two families: odd and even.
+
+Without a mirror at Y = 0 each wrinkle comes twice, as a sine and as a cosine across the sheet, with
+critical thicknesses that agree to about 1e-8: any mixture of the two is as good a mode. Wrinkled
+states are told apart by what they do at the centre of the sheet, where one family has a zero of the
+deflection and the other a crest.
+"""
+
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from wrinklestudy.equilibrium.flat import Flat
+from wrinklestudy.equilibrium.modes import (
+    Modes,
+    corner_part,
+    critical_modes,
+    deflection_forms,
+    spectrum,
+)
+from wrinklestudy.equilibrium.quartic import quartic_form
+from wrinklestudy.fem.boundary import Symmetry
+from wrinklestudy.fem.factorisation import symmetric
+from wrinklestudy.fem.space import Space
+from wrinklestudy.typing import Array
+from wrinklestudy.vocabulary import PARITIES, Parity
+
+
+class Family(NamedTuple):
+    """The modes of one parity of the pattern at the centre."""
+
+    parity: Parity
+    modes: Modes
+
+
+def families(flat: Flat, bending: str, parity: Parity, count: int = 8) -> tuple[Family, ...]:
+    """Return the modes of a flat state in families, that of a parity first.
+
+    Parameters
+    ----------
+    flat : Flat
+        With its mirrors; where Y = 0 is one, each family has a symmetry of its own.
+    bending : str
+        The bending law, a name in `mechanics.bending.BENDING_LAWS`.
+    parity : {'antisymmetric', 'symmetric'}
+    count : int
+        Largest number of modes of each family.
+
+    Raises
+    ------
+    ArithmeticError
+        If the flat sheet is unstable at any thickness up to W.
+    """
+    order = (parity, *(other for other in PARITIES if other != parity))
+    start = _unbiased(flat.space)
+    if flat.symmetry.odd_across is not None:
+        return tuple(
+            Family(which, critical_modes(flat, bending, _across(flat.symmetry, which), count, start))
+            for which in order
+        )
+    squared, shapes, _ = spectrum(flat, bending, flat.symmetry, 2 * count, start=start)
+    forms = deflection_forms(flat, bending, flat.symmetry)
+    free = forms.assembler.free[0]
+    bent = symmetric(forms.bending)
+    images = _reflected(flat, shapes)
+    overlap = shapes[:, free] @ (bent @ images[:, free].T)
+    signs, vectors = np.linalg.eigh(0.5 * (overlap + overlap.T))
+    own = {PARITIES[0]: signs < 0.0, PARITIES[1]: signs >= 0.0}
+    return tuple(
+        Family(which, _family(flat, bending, forms.points, squared, vectors[:, own[which]], shapes))
+        for which in order
+    )
+
+
+def _across(symmetry: Symmetry, parity: Parity) -> Symmetry:
+    """Return a symmetry whose mirror Y = 0 is for deflections of a parity."""
+    return replace(symmetry, odd_across=Symmetry.mirrored(parity).odd_across)
+
+
+def _family(
+    flat: Flat, bending: str, points: Array, squared: Array, vectors: Array, shapes: Array
+) -> Modes:
+    """Return the modes within the span of some mixtures of all modes."""
+    values, mixed = np.linalg.eigh(vectors.T @ (squared[:, None] * vectors))
+    own = (vectors @ mixed[:, ::-1]).T @ shapes
+    quartic, relaxation = quartic_form(flat, own)
+    corner = corner_part(flat, points, own)
+    return Modes(flat.symmetry, bending, values[::-1], own, corner, quartic, relaxation)
+
+
+def _reflected(flat: Flat, shapes: Array) -> Array:
+    """Return modes after a turn by pi about the centre, or after Y -> -Y beside a mirror X = 0.
+
+    The turn keeps the wrinkles of a sheet that is sheared, which are oblique.
+    """
+    nodes = flat.space.nodes_from_field(shapes)
+    if flat.symmetry.odd_along is None:
+        turned = nodes[..., ::-1, ::-1] * np.array([1.0, -1.0, -1.0, 1.0])[:, None, None]
+    else:
+        turned = nodes[..., ::-1] * np.array([1.0, 1.0, -1.0, -1.0])[:, None, None]
+    return flat.space.field_from_nodes(turned)
+
+
+def _unbiased(space: Space) -> Array:
+    """Return a deflection without any symmetry, so that the search for modes misses none."""
+    return np.random.default_rng(0).standard_normal(space.size)

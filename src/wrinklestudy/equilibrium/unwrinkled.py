@@ -1,0 +1,78 @@
+"""The state of a sheet before it wrinkles, where its clamps or its weight leave it not flat.
+
+The flat state is that of the same clamps put back into their plane. What lifts the sheet out of it,
+twist, pitch, lift or weight, is small, and the sheet answers as to any small load: with the
+stiffness t S + t^3 B of `modes`.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from wrinklestudy.equilibrium.flat import Flat
+from wrinklestudy.equilibrium.modes import deflection_forms
+from wrinklestudy.equilibrium.problem import PlateProblem
+from wrinklestudy.fem.boundary import Symmetry
+from wrinklestudy.mechanics.section import Section
+from wrinklestudy.typing import Array
+
+
+def planar_symmetry(symmetry: Symmetry) -> Symmetry:
+    """Return the same symmetry with clamps that are put back into the plane."""
+    return replace(symmetry, clamps=symmetry.clamps.in_plane())
+
+
+def plate_problem(
+    flat: Flat, symmetry: Symmetry, bending: str, thickness: float, weight: float
+) -> PlateProblem:
+    """Return the energy of a sheet whose clamps need not be perfect, see `PlateProblem`.
+
+    Parameters
+    ----------
+    flat : Flat
+        With the clamps in their plane.
+    symmetry : Symmetry
+        With the clamps as they are.
+    bending : str
+    thickness : float
+        t/W, of an uneven sheet its mean.
+    weight : float
+        rho g W/mu.
+    """
+    space = flat.space
+    position = symmetry.clamp.position(space, flat.strain)
+    return PlateProblem(
+        space,
+        Section(flat.law, thickness, bending),
+        symmetry.free(space),
+        position,
+        flat.sheet_position,
+        symmetry.clamp.slopes(space),
+        weight,
+    )
+
+
+def lifted(flat: Flat, problem: PlateProblem, bending: str, stiffness: float) -> Array:
+    """Return the position (3, size) to which clamps and weight lift a flat sheet, to first order.
+
+    Parameters
+    ----------
+    flat : Flat
+    problem : PlateProblem
+        The sheet with its clamps and its weight.
+    bending : str
+    stiffness : float
+        t of the bending stiffness t^3 B. At the thickness of a sheet that wrinkles the answer would
+        be one of its wrinkles, at one above the critical thickness it has none.
+    """
+    position = problem.prescribed.copy()
+    position[:2] = flat.position
+    free = problem.assembler.free
+    unknowns = position[free]
+    forms = deflection_forms(flat, bending, flat.symmetry)
+    solver, thickness = forms.assembler.solver, problem.thickness
+    solver.factorise(forms.shifted(stiffness**2))
+    load = problem.residual(unknowns)[-forms.assembler.size :]
+    unknowns[-forms.assembler.size :] -= solver.solve(load) / thickness
+    return problem.position(unknowns)
+
