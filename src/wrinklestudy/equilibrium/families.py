@@ -7,7 +7,6 @@ deflection and the other a crest.
 """
 
 from dataclasses import replace
-from typing import NamedTuple
 
 import numpy as np
 
@@ -24,69 +23,48 @@ from wrinklestudy.fem.boundary import Symmetry
 from wrinklestudy.fem.factorisation import symmetric
 from wrinklestudy.fem.space import Space
 from wrinklestudy.typing import Array
-from wrinklestudy.vocabulary import PARITIES, Parity
+from wrinklestudy.vocabulary import Parity
 
 
-class Family(NamedTuple):
-    """The modes of one parity of the pattern at the centre."""
-
-    parity: Parity
-    modes: Modes
-
-
-def families(flat: Flat, bending: str, parity: Parity, count: int = 8) -> tuple[Family, ...]:
-    """Return the modes of a flat state in families, that of a parity first.
+def family(flat: Flat, bending: str, parity: Parity, count: int = 8) -> Modes:
+    """Return the leading modes of a flat state of one parity at the centre.
 
     Parameters
     ----------
     flat : Flat
-        With its mirrors; where Y = 0 is one, each family has a symmetry of its own.
+        With its mirrors; beside one at Y = 0 the modes have that parity exactly.
     bending : str
         The bending law, a name in `mechanics.bending.BENDING_LAWS`.
     parity : {'antisymmetric', 'symmetric'}
     count : int
-        Largest number of modes of each family.
+        Largest number of modes.
 
     Raises
     ------
     ArithmeticError
         If the flat sheet is unstable at any thickness up to W.
     """
-    order = (parity, *(other for other in PARITIES if other != parity))
     start = _unbiased(flat.space)
     if flat.symmetry.odd_across is not None:
-        return tuple(
-            Family(which, critical_modes(flat, bending, _across(flat.symmetry, which), count, start))
-            for which in order
-        )
+        return critical_modes(flat, bending, _across(flat.symmetry, parity), count, start)
     squared, shapes, _ = spectrum(flat, bending, flat.symmetry, 2 * count, start=start)
     forms = deflection_forms(flat, bending, flat.symmetry)
     free = forms.assembler.free[0]
-    bent = symmetric(forms.bending)
     images = _reflected(flat, shapes)
-    overlap = shapes[:, free] @ (bent @ images[:, free].T)
+    overlap = shapes[:, free] @ (symmetric(forms.bending) @ images[:, free].T)
     signs, vectors = np.linalg.eigh(0.5 * (overlap + overlap.T))
-    own = {PARITIES[0]: signs < 0.0, PARITIES[1]: signs >= 0.0}
-    return tuple(
-        Family(which, _family(flat, bending, forms.points, squared, vectors[:, own[which]], shapes))
-        for which in order
-    )
+    own = vectors[:, (signs < 0.0) == (parity == "antisymmetric")]
+    # The modes within the span of these mixtures of all modes
+    values, mixed = np.linalg.eigh(own.T @ (squared[:, None] * own))
+    shapes = (own @ mixed[:, ::-1]).T @ shapes
+    quartic, relaxation = quartic_form(flat, shapes)
+    corner = corner_part(flat, forms.points, shapes)
+    return Modes(flat.symmetry, bending, values[::-1], shapes, corner, quartic, relaxation)
 
 
 def _across(symmetry: Symmetry, parity: Parity) -> Symmetry:
     """Return a symmetry whose mirror Y = 0 is for deflections of a parity."""
     return replace(symmetry, odd_across=Symmetry.mirrored(parity).odd_across)
-
-
-def _family(
-    flat: Flat, bending: str, points: Array, squared: Array, vectors: Array, shapes: Array
-) -> Modes:
-    """Return the modes within the span of some mixtures of all modes."""
-    values, mixed = np.linalg.eigh(vectors.T @ (squared[:, None] * vectors))
-    own = (vectors @ mixed[:, ::-1]).T @ shapes
-    quartic, relaxation = quartic_form(flat, own)
-    corner = corner_part(flat, points, own)
-    return Modes(flat.symmetry, bending, values[::-1], own, corner, quartic, relaxation)
 
 
 def _reflected(flat: Flat, shapes: Array) -> Array:

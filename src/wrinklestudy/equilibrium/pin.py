@@ -86,15 +86,16 @@ class Slide(NamedTuple):
     softest : float
         Smallest mu of K v = mu t^3 B v without the pin, with the tangent K and the bending matrix B
         of the flat state: the stiffness against sliding over that against bending.
+    direction : (n,) array
+        Change of the free deflections as the pattern slides, a quarter of a wave ahead of it.
     """
 
     reaction: float
     softest: float
+    direction: Array
 
 
-def slide(
-    pinned: Pinned, unknowns: Array, bent: sparse.csr_array, deflections: int, solver: Solver
-) -> Slide:
+def slide(pinned: Pinned, unknowns: Array, bent: sparse.csr_array, solver: Solver) -> Slide:
     """Return what a pin carries at an equilibrium and the softest eigenvalue without it.
 
     The softest direction is what the sheet does when the pin is moved, v = (-K^-1 k, 1), up to the
@@ -107,8 +108,6 @@ def slide(
         The equilibrium.
     bent : sparse array
         t^3 B on the free deflections, the last of the unknowns.
-    deflections : int
-        How many these are.
     solver : Solver
         For matrices of the pattern of the problem.
 
@@ -127,7 +126,7 @@ def slide(
     moved[pin] = 0.0
     direction = unit - solver.solve(moved)
     work = float(direction @ multiply(here.tangent, direction))
-    bending = direction[-deflections:]
+    bending = direction[-bent.shape[0] :]
     softest = work / float(bending @ multiply(bent, bending))
     thickness = pinned.problem.thickness
-    return Slide(float(here.residual[pin]) / (stiffness * thickness), softest)
+    return Slide(float(here.residual[pin]) / (stiffness * thickness), softest, bending)

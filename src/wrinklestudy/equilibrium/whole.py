@@ -1,28 +1,28 @@
 """Wrinkled states of a sheet without the mirror at Y = 0, with clamps that need not be perfect.
 
 Each state starts from a seed of its own, as in `wrinkled`: the unwrinkled state with the modes in
-amplitudes that minimise the reduced energy. Two states are solved, an odd and an even one, between
-which the pattern can slide: what an experiment sees lies between them.
+amplitudes that minimise the reduced energy. It is odd or even at the centre; between the two the
+pattern can slide, and what an experiment sees lies between them.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 
 from wrinklestudy.equilibrium import newton
-from wrinklestudy.equilibrium.families import Family, families
+from wrinklestudy.equilibrium.families import family
 from wrinklestudy.equilibrium.flat import ROUNDING, Flat
 from wrinklestudy.equilibrium.flat import solve as solve_flat
-from wrinklestudy.equilibrium.modes import deflection_forms
-from wrinklestudy.equilibrium.pin import Pinned, Slide, pinned_dof, slide
+from wrinklestudy.equilibrium.modes import Modes, deflection_forms
+from wrinklestudy.equilibrium.pin import Pinned, pinned_dof, slide
 from wrinklestudy.equilibrium.problem import PlateProblem, Predicting
 from wrinklestudy.equilibrium.seeds import seed_position, seeds
 from wrinklestudy.equilibrium.unwrinkled import lifted, planar_symmetry, plate_problem
 from wrinklestudy.equilibrium.wrinkled import WrinkleSettings
 from wrinklestudy.fem.boundary import Symmetry
-from wrinklestudy.fem.factorisation import NotPositiveDefiniteError
+from wrinklestudy.fem.factorisation import NotPositiveDefiniteError, multiply
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics.laws import Law
 from wrinklestudy.typing import Array
@@ -35,44 +35,8 @@ WholeStatus = Literal["wrinkled", "unwrinkled", "flat", "not-converged"]
 
 
 @dataclass(frozen=True)
-class PhaseState:
-    """A state of one parity of the pattern at the centre of the sheet.
-
-    Parameters
-    ----------
-    parity : {'antisymmetric', 'symmetric'}
-        Whether the deflection, or its slope across, is held at the centre.
-    status : {'wrinkled', 'unwrinkled', 'flat', 'not-converged'}
-        'unwrinkled' is a state that is not flat although the sheet is too thick to wrinkle.
-    reason : str
-        Why it did not converge, else empty.
-    position : (3, size) array
-        Position as dof vectors in units of W; the last iterate where it did not converge.
-    energy : float
-        Of the part that is solved, in units of mu W^3.
-    nominal_stress : float
-        Force at the clamp / (W t) in units of mu.
-    slide : Slide or None
-        What the pin carries and the eigenvalue without it; None without a pin.
-    residual : float
-        Last Newton decrement in parts of the energy.
-    history : tuple of newton.Iteration
-    """
-
-    parity: Parity
-    status: WholeStatus
-    reason: str
-    position: Array
-    energy: float
-    nominal_stress: float
-    slide: Slide | None
-    residual: float
-    history: tuple[newton.Iteration, ...]
-
-
-@dataclass(frozen=True)
 class WholeEquilibrium:
-    """The states of one sheet at one strain.
+    """State of one sheet at one strain.
 
     Parameters
     ----------
@@ -84,23 +48,49 @@ class WholeEquilibrium:
         t/W, of an uneven sheet its mean.
     critical_thickness : float
         tau_1/W of the flat state.
+    status : {'wrinkled', 'unwrinkled', 'flat', 'not-converged'}
+        'unwrinkled' is a state that is not flat although the sheet is too thick to wrinkle.
+    reason : str
+        Why it did not converge, else empty.
+    position : (3, size) array
+        Position as dof vectors in units of W; the last iterate where it did not converge.
     unwrinkled : (3, size) array
         The sheet without wrinkles.
-    states : tuple of PhaseState
-        That of the parity that was asked for, then the other.
+    energy : float
+        Of the part that is solved, in units of mu W^3.
+    nominal_stress : float
+        Force at the clamp / (W t) in units of mu.
+    residual : float
+        Last Newton decrement in parts of the energy.
+    history : tuple of newton.Iteration
+    pin_reaction, softest : float
+        See `pin.Slide`; NaN where there is no pin.
+    partner : (size,) array or None
+        The deflection of the pattern a quarter of a wave further across: sliding by a phase p makes
+        the wrinkles w cos p + partner sin p.
     """
 
     flat: Flat
     symmetry: Symmetry
     thickness: float
     critical_thickness: float
+    status: WholeStatus
+    reason: str
+    position: Array
     unwrinkled: Array
-    states: tuple[PhaseState, ...]
+    energy: float
+    nominal_stress: float
+    residual: float
+    history: tuple[newton.Iteration, ...]
+    pin_reaction: float = float("nan")
+    softest: float = float("nan")
+    partner: Array | None = None
 
     @property
-    def state(self) -> PhaseState:
-        """The state of the parity that was asked for."""
-        return self.states[0]
+    def wrinkles(self) -> Array:
+        """The deflection beyond that of the sheet without wrinkles, (size,)."""
+        wrinkles: Array = self.position[2] - self.unwrinkled[2]
+        return wrinkles
 
 
 @dataclass(frozen=True)
@@ -114,11 +104,11 @@ class WholeSettings:
     bending : str
         The bending law, a name in `mechanics.bending.BENDING_LAWS`.
     parity : {'antisymmetric', 'symmetric'}
-        Of the pattern at the centre in the state that comes first.
+        Of the pattern at the centre: the deflection, or its slope across, is held there.
     weight : float
         rho g W/mu; it pulls toward -z.
     modes : int
-        Number of modes of each parity.
+        Number of modes.
     """
 
     symmetry: Symmetry
@@ -142,7 +132,7 @@ def solve(
     options: WrinkleSettings | None = None,
     observer: newton.Observer | None = None,
 ) -> WholeEquilibrium:
-    """Return the odd and the even state of a sheet at a strain.
+    """Return the state of a sheet at a strain.
 
     Parameters
     ----------
@@ -163,108 +153,135 @@ def solve(
     ArithmeticError
         If there is no flat state, or the bending law has no value there; one line.
     """
-    symmetry = planar_symmetry(settings.symmetry)
+    symmetry, bending = planar_symmetry(settings.symmetry), settings.bending
     flat = solve_flat(space, law, strain, symmetry=symmetry, observer=observer)
     if observer is not None:
         observer("modes", None)
-    both = families(flat, settings.bending, settings.parity, settings.modes)
-    critical = max(family.modes.critical_thickness for family in both)
-    problem = plate_problem(flat, settings.symmetry, settings.bending, thickness, settings.weight)
+    modes = family(flat, bending, settings.parity, settings.modes)
+    critical = modes.critical_thickness
+    # A mirror at Y = 0 goes with perfect clamps; the parity of z is then that of the modes.
+    full = replace(modes.symmetry, clamps=settings.symmetry.clamps)
+    problem = plate_problem(flat, full, bending, thickness, settings.weight)
     unwrinkled = flat.sheet_position
     if not settings.stays_flat:
-        stiff = max(_ABOVE * critical, thickness)
-        unwrinkled = lifted(flat, problem, settings.bending, stiff)
-    states = tuple(
-        _state(flat, family, problem, unwrinkled, settings, options or WrinkleSettings(), observer)
-        for family in both
-    )
-    return WholeEquilibrium(flat, settings.symmetry, thickness, critical, unwrinkled, states)
-
-
-def _state(
-    flat: Flat,
-    family: Family,
-    problem: PlateProblem,
-    unwrinkled: Array,
-    settings: WholeSettings,
-    options: WrinkleSettings,
-    observer: newton.Observer | None,
-) -> PhaseState:
-    thickness = problem.thickness
-    wrinkles = family.modes.critical_thickness > thickness
-    if not wrinkles and settings.stays_flat:
-        energy = thickness * flat.energy
-        residual = abs(flat.history[-1].decrement) / flat.energy
-        return PhaseState(
-            family.parity, "flat", "", unwrinkled, energy, flat.force, None, residual, ()
-        )
-    if family.modes.symmetry.odd_across is not None:
-        free = family.modes.symmetry.free(flat.space)
-        problem = PlateProblem(flat.space, problem.uniform, free, unwrinkled)
+        unwrinkled = lifted(flat, problem, bending, max(_ABOVE * critical, thickness))
+    known = _Known(flat, modes, problem, unwrinkled, full, settings)
+    if thickness >= critical and settings.stays_flat:
+        return _flat(known)
+    options = options or WrinkleSettings()
     starts = [unwrinkled]
-    if wrinkles:
+    if thickness < critical:
         starts = [
-            unwrinkled + seed_position(flat, family.modes, q) - flat.sheet_position
-            for q in seeds(family.modes, thickness)[: options.seeds]
+            unwrinkled + seed_position(flat, modes, q) - flat.sheet_position
+            for q in seeds(modes, thickness)[: options.seeds]
         ]
-    states = [
-        _minimised(flat, family, problem, start, wrinkles, settings, options, observer)
-        for start in starts
-    ]
+    states = [_minimised(known, start, options, observer) for start in starts]
     return min(states, key=lambda state: (state.status == "not-converged", state.energy))
 
 
+class _Known(NamedTuple):
+    """What is known of a sheet before its state is sought."""
+
+    flat: Flat
+    modes: Modes
+    problem: PlateProblem
+    unwrinkled: Array
+    symmetry: Symmetry
+    settings: WholeSettings
+
+    @property
+    def ceiling(self) -> float:
+        """The energy below which a wrinkled state lies."""
+        return self.problem.thickness * self.flat.energy if self.settings.stays_flat else np.inf
+
+
+def _flat(known: _Known) -> WholeEquilibrium:
+    flat, thickness = known.flat, known.problem.thickness
+    return WholeEquilibrium(
+        flat,
+        known.symmetry,
+        thickness,
+        known.modes.critical_thickness,
+        "flat",
+        "",
+        known.unwrinkled,
+        known.unwrinkled,
+        thickness * flat.energy,
+        flat.force,
+        abs(flat.history[-1].decrement) / flat.energy,
+        (),
+    )
+
+
 def _minimised(
-    flat: Flat,
-    family: Family,
-    problem: PlateProblem,
+    known: _Known,
     start: Array,
-    wrinkles: bool,
-    settings: WholeSettings,
     options: WrinkleSettings,
     observer: newton.Observer | None,
-) -> PhaseState:
-    thickness, free = problem.thickness, problem.assembler.free
-    squared = float(family.modes.squared.max(initial=0.0))
-    has_pin = family.modes.symmetry.odd_across is None
-    pinned = Pinned(problem, _unknown(problem, family.parity)) if has_pin else None
-    solver = problem.assembler.solver
+) -> WholeEquilibrium:
+    """Return the state to which the energy falls from a start."""
+    flat, problem = known.flat, known.problem
+    thickness, critical = problem.thickness, known.modes.critical_thickness
+    slides = known.symmetry.odd_across is None and critical > thickness
+    pinned = Pinned(problem, _pinned_unknown(problem, known.settings.parity)) if slides else None
     limits = newton.NewtonOptions(
         tolerance=options.tolerance,
         max_iterations=options.max_iterations,
-        first_shift=min(thickness**2, 0.25 * abs(squared - thickness**2)),
+        first_shift=min(thickness**2, 0.25 * abs(critical**2 - thickness**2)),
         rise=_RISE,
-        ceiling=thickness * flat.energy if settings.stays_flat else np.inf,
+        ceiling=known.ceiling,
         noise=ROUNDING * thickness,
-        observe=None if observer is None else partial(observer, f"{family.parity} state"),
+        observe=None if observer is None else partial(observer, "wrinkled state"),
     )
-    minimum = newton.minimise(pinned or Predicting(problem), start[free], solver, limits)
-    reason, known = minimum.reason, None
-    if not reason and settings.stays_flat and not minimum.energy < thickness * flat.energy:
+    unknowns, solver = start[problem.assembler.free], problem.assembler.solver
+    minimum = newton.minimise(pinned or Predicting(problem), unknowns, solver, limits)
+    reason = minimum.reason
+    if not reason and not minimum.energy < known.ceiling:
         reason = "the energy is not below that of the flat state"
-    if not reason and pinned is not None:
-        forms = deflection_forms(flat, settings.bending, flat.symmetry)
-        bent = thickness**3 * forms.bending
-        try:
-            known = slide(pinned, minimum.unknowns, bent, forms.assembler.size, solver)
-        except NotPositiveDefiniteError:
-            reason = "the state is unstable with its pin"
     reactions = problem.reactions(minimum.unknowns)
     last = minimum.history[-1].decrement if minimum.history else float("nan")
-    return PhaseState(
-        family.parity,
-        "not-converged" if reason else "wrinkled" if wrinkles else "unwrinkled",
+    state = WholeEquilibrium(
+        flat,
+        known.symmetry,
+        thickness,
+        critical,
+        "not-converged" if reason else "wrinkled" if critical > thickness else "unwrinkled",
         reason,
         problem.position(minimum.unknowns),
+        known.unwrinkled,
         minimum.energy,
-        settings.symmetry.clamp.force(flat.space, reactions) / thickness,
-        known,
+        known.symmetry.clamp.force(flat.space, reactions) / thickness,
         last / (thickness * flat.energy),
         minimum.history,
     )
+    if reason or pinned is None:
+        return state
+    return _with_slide(state, pinned, minimum.unknowns, known)
 
 
-def _unknown(problem: PlateProblem, parity: Parity) -> int:
+def _with_slide(
+    state: WholeEquilibrium, pinned: Pinned, unknowns: Array, known: _Known
+) -> WholeEquilibrium:
+    """Return a state with what its pin carries and the pattern to which it can slide."""
+    flat, thickness = state.flat, state.thickness
+    forms = deflection_forms(flat, known.settings.bending, flat.symmetry)
+    bent, free = thickness**3 * forms.bending, forms.assembler.free[0]
+    try:
+        found = slide(pinned, unknowns, bent, known.problem.assembler.solver)
+    except NotPositiveDefiniteError:
+        return replace(state, status="not-converged", reason="unstable although it is pinned")
+    # The energy of bending does not change as the pattern slides.
+    own, other = (
+        float(w @ multiply(bent, w)) for w in (state.wrinkles[free], found.direction)
+    )
+    partner = np.zeros(flat.space.size)
+    partner[free] = found.direction * (own / other) ** 0.5
+    return replace(
+        state, pin_reaction=found.reaction, softest=found.softest, partner=partner
+    )
+
+
+def _pinned_unknown(problem: PlateProblem, parity: Parity) -> int:
     """Return the number of the unknown that the pin of a parity holds."""
     free = problem.assembler.free
     place = 2 * free.shape[1] + pinned_dof(problem.assembler.space, parity)
