@@ -23,21 +23,22 @@ from wrinklestudy.fem.boundary import Symmetry
 from wrinklestudy.fem.factorisation import symmetric
 from wrinklestudy.fem.space import Space
 from wrinklestudy.typing import Array
-from wrinklestudy.vocabulary import Parity
+from wrinklestudy.vocabulary import PARITIES, Parity
 
 
-def family(flat: Flat, bending: str, parity: Parity, count: int = 8) -> Modes:
-    """Return the leading modes of a flat state of one parity at the centre.
+def families(flat: Flat, bending: str, parity: Parity, count: int = 8) -> tuple[Modes, Modes]:
+    """Return the leading modes of a flat state of a parity at the centre, and of the other.
 
     Parameters
     ----------
     flat : Flat
-        With its mirrors; beside one at Y = 0 the modes have that parity exactly.
+        With its mirrors; beside one at Y = 0 the modes have their parity exactly.
     bending : str
         The bending law, a name in `mechanics.bending.BENDING_LAWS`.
     parity : {'antisymmetric', 'symmetric'}
+        That comes first.
     count : int
-        Largest number of modes.
+        Largest number of modes of each.
 
     Raises
     ------
@@ -46,19 +47,36 @@ def family(flat: Flat, bending: str, parity: Parity, count: int = 8) -> Modes:
     """
     start = _unbiased(flat.space)
     if flat.symmetry.odd_across is not None:
-        return critical_modes(flat, bending, _across(flat.symmetry, parity), count, start)
+        first, second = (
+            critical_modes(flat, bending, _across(flat.symmetry, which), count, start)
+            for which in (parity, opposite(parity))
+        )
+        return first, second
     squared, shapes, _ = spectrum(flat, bending, flat.symmetry, 2 * count, start=start)
     forms = deflection_forms(flat, bending, flat.symmetry)
     free = forms.assembler.free[0]
     images = _reflected(flat, shapes)
     overlap = shapes[:, free] @ (symmetric(forms.bending) @ images[:, free].T)
     signs, vectors = np.linalg.eigh(0.5 * (overlap + overlap.T))
-    own = vectors[:, (signs < 0.0) == (parity == "antisymmetric")]
-    # The modes within the span of these mixtures of all modes
+    odd, even = vectors[:, signs < 0.0], vectors[:, signs >= 0.0]
+    both = (odd, even) if parity == "antisymmetric" else (even, odd)
+    first, second = (_within(flat, bending, forms.points, squared, own, shapes) for own in both)
+    return first, second
+
+
+def opposite(parity: Parity) -> Parity:
+    """Return the other parity."""
+    return PARITIES[1 - PARITIES.index(parity)]
+
+
+def _within(
+    flat: Flat, bending: str, points: Array, squared: Array, own: Array, shapes: Array
+) -> Modes:
+    """Return the modes within the span of some mixtures of all modes."""
     values, mixed = np.linalg.eigh(own.T @ (squared[:, None] * own))
     shapes = (own @ mixed[:, ::-1]).T @ shapes
     quartic, relaxation = quartic_form(flat, shapes)
-    corner = corner_part(flat, forms.points, shapes)
+    corner = corner_part(flat, points, shapes)
     return Modes(flat.symmetry, bending, values[::-1], shapes, corner, quartic, relaxation)
 
 

@@ -86,13 +86,10 @@ class Slide(NamedTuple):
     softest : float
         Smallest mu of K v = mu t^3 B v without the pin, with the tangent K and the bending matrix B
         of the flat state: the stiffness against sliding over that against bending.
-    direction : (n,) array
-        Change of the free deflections as the pattern slides, a quarter of a wave ahead of it.
     """
 
     reaction: float
     softest: float
-    direction: Array
 
 
 def slide(pinned: Pinned, unknowns: Array, bent: sparse.csr_array, solver: Solver) -> Slide:
@@ -129,4 +126,4 @@ def slide(pinned: Pinned, unknowns: Array, bent: sparse.csr_array, solver: Solve
     bending = direction[-bent.shape[0] :]
     softest = work / float(bending @ multiply(bent, bending))
     thickness = pinned.problem.thickness
-    return Slide(float(here.residual[pin]) / (stiffness * thickness), softest, bending)
+    return Slide(float(here.residual[pin]) / (stiffness * thickness), softest)

@@ -12,7 +12,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from wrinklestudy.equilibrium import newton
-from wrinklestudy.equilibrium.families import family
+from wrinklestudy.equilibrium.families import families, opposite
 from wrinklestudy.equilibrium.flat import ROUNDING, Flat
 from wrinklestudy.equilibrium.flat import solve as solve_flat
 from wrinklestudy.equilibrium.modes import Modes, deflection_forms
@@ -22,7 +22,7 @@ from wrinklestudy.equilibrium.seeds import seed_position, seeds
 from wrinklestudy.equilibrium.unwrinkled import lifted, planar_symmetry, plate_problem
 from wrinklestudy.equilibrium.wrinkled import WrinkleSettings
 from wrinklestudy.fem.boundary import Symmetry
-from wrinklestudy.fem.factorisation import NotPositiveDefiniteError, multiply
+from wrinklestudy.fem.factorisation import NotPositiveDefiniteError
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics.laws import Law
 from wrinklestudy.typing import Array
@@ -30,6 +30,7 @@ from wrinklestudy.vocabulary import Parity
 
 # Steps with a predicted tangent lead along narrow valleys of the energy, a little up their walls.
 _RISE = 10.0
+_PARTNER_TOLERANCE = 1.0e-12
 _ABOVE = 1.2  # thickness, over tau_1, at which an unwrinkled state is lifted
 WholeStatus = Literal["wrinkled", "unwrinkled", "flat", "not-converged"]
 
@@ -65,9 +66,9 @@ class WholeEquilibrium:
     history : tuple of newton.Iteration
     pin_reaction, softest : float
         See `pin.Slide`; NaN where there is no pin.
-    partner : (size,) array or None
-        The deflection of the pattern a quarter of a wave further across: sliding by a phase p makes
-        the wrinkles w cos p + partner sin p.
+    partner : WholeEquilibrium or None
+        The state of the other parity, a quarter of a wave further across; None where the sheet
+        does not wrinkle.
     """
 
     flat: Flat
@@ -84,7 +85,7 @@ class WholeEquilibrium:
     history: tuple[newton.Iteration, ...]
     pin_reaction: float = float("nan")
     softest: float = float("nan")
-    partner: Array | None = None
+    partner: "WholeEquilibrium | None" = None
 
     @property
     def wrinkles(self) -> Array:
@@ -153,22 +154,40 @@ def solve(
     ArithmeticError
         If there is no flat state, or the bending law has no value there; one line.
     """
-    symmetry, bending = planar_symmetry(settings.symmetry), settings.bending
+    symmetry = planar_symmetry(settings.symmetry)
     flat = solve_flat(space, law, strain, symmetry=symmetry, observer=observer)
     if observer is not None:
         observer("modes", None)
-    modes = family(flat, bending, settings.parity, settings.modes)
-    critical = modes.critical_thickness
+    both = families(flat, settings.bending, settings.parity, settings.modes)
+    options = options or WrinkleSettings()
+    state = _of_family(flat, both[0], settings, thickness, options, observer)
+    if state.status != "wrinkled":
+        return state
+    # The amplitude of the other is wanted, not its last digits.
+    rough = replace(options, tolerance=max(options.tolerance, _PARTNER_TOLERANCE))
+    other = replace(settings, parity=opposite(settings.parity))
+    return replace(state, partner=_of_family(flat, both[1], other, thickness, rough, observer))
+
+
+def _of_family(
+    flat: Flat,
+    modes: Modes,
+    settings: WholeSettings,
+    thickness: float,
+    options: WrinkleSettings,
+    observer: newton.Observer | None,
+) -> WholeEquilibrium:
+    """Return the state of one parity."""
+    critical, bending = modes.critical_thickness, settings.bending
     # A mirror at Y = 0 goes with perfect clamps; the parity of z is then that of the modes.
-    full = replace(modes.symmetry, clamps=settings.symmetry.clamps)
-    problem = plate_problem(flat, full, bending, thickness, settings.weight)
+    symmetry = replace(modes.symmetry, clamps=settings.symmetry.clamps)
+    problem = plate_problem(flat, symmetry, bending, thickness, settings.weight)
     unwrinkled = flat.sheet_position
     if not settings.stays_flat:
         unwrinkled = lifted(flat, problem, bending, max(_ABOVE * critical, thickness))
-    known = _Known(flat, modes, problem, unwrinkled, full, settings)
+    known = _Known(flat, modes, problem, unwrinkled, symmetry, settings)
     if thickness >= critical and settings.stays_flat:
         return _flat(known)
-    options = options or WrinkleSettings()
     starts = [unwrinkled]
     if thickness < critical:
         starts = [
@@ -254,7 +273,7 @@ def _minimised(
         last / (thickness * flat.energy),
         minimum.history,
     )
-    if reason or pinned is None:
+    if reason or pinned is None or options.tolerance >= _PARTNER_TOLERANCE:
         return state
     return _with_slide(state, pinned, minimum.unknowns, known)
 
@@ -265,20 +284,12 @@ def _with_slide(
     """Return a state with what its pin carries and the pattern to which it can slide."""
     flat, thickness = state.flat, state.thickness
     forms = deflection_forms(flat, known.settings.bending, flat.symmetry)
-    bent, free = thickness**3 * forms.bending, forms.assembler.free[0]
+    bent = thickness**3 * forms.bending
     try:
         found = slide(pinned, unknowns, bent, known.problem.assembler.solver)
     except NotPositiveDefiniteError:
         return replace(state, status="not-converged", reason="unstable although it is pinned")
-    # The energy of bending does not change as the pattern slides.
-    own, other = (
-        float(w @ multiply(bent, w)) for w in (state.wrinkles[free], found.direction)
-    )
-    partner = np.zeros(flat.space.size)
-    partner[free] = found.direction * (own / other) ** 0.5
-    return replace(
-        state, pin_reaction=found.reaction, softest=found.softest, partner=partner
-    )
+    return replace(state, pin_reaction=found.reaction, softest=found.softest)
 
 
 def _pinned_unknown(problem: PlateProblem, parity: Parity) -> int:

@@ -9,10 +9,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from wrinklestudy.metrics.interpolant import DeformedSheet, evaluate, subdivided
+from wrinklestudy.fem.grid import Grid
+from wrinklestudy.metrics.interpolant import evaluate, subdivided
 from wrinklestudy.typing import Array
 
-_SAMPLES_PER_CELL = 32
+_SAMPLES_PER_CELL = 64
 _PHASES = 90  # over half a wave: the other half is the same upside down
 
 
@@ -25,7 +26,7 @@ class PhaseBand(NamedTuple):
         Least and largest |z| of the highest crest over all phases of the pattern.
     envelope : float
         Largest value of the envelope sqrt(w^2 + v^2), v the wrinkles a quarter of a wave further:
-        what a crest would reach that sits at the best place. It does not depend on the phase.
+        what a crest reaches that sits at the best place. It does not depend on the phase.
     """
 
     low: float
@@ -33,34 +34,25 @@ class PhaseBand(NamedTuple):
     envelope: float
 
 
-def phase_band(sheet: DeformedSheet, wrinkles: Array, partner: Array) -> PhaseBand:
+def phase_band(grid: Grid, wrinkles: Array, partner: Array) -> PhaseBand:
     """Return the amplitude of wrinkles over all phases of their pattern.
 
     Parameters
     ----------
-    sheet : DeformedSheet
-        The state that was solved.
+    grid : Grid
+        Of the part of the sheet that was solved.
     wrinkles, partner : (4, nx + 1, ny + 1) arrays
-        Deflection of the wrinkles on its grid, and the same a quarter of a wave further.
+        Deflections w and v at the nodes of an odd and an even state, in either order, beyond that
+        of the sheet without wrinkles. Sliding by a phase p makes w cos p + v sin p of w.
     """
-    y = subdivided(sheet.grid.y, _SAMPLES_PER_CELL)
+    y = subdivided(grid.y, _SAMPLES_PER_CELL)
     middle = np.array([0.0])
-    first, second = (evaluate(sheet.grid, nodes, middle, y)[0] for nodes in (wrinkles, partner))
+    w, v = (evaluate(grid, nodes, middle, y)[0] for nodes in (wrinkles, partner))
     phases = np.pi / _PHASES * np.arange(_PHASES)
-    heights = np.array(
-        [_largest(first * np.cos(phase) + second * np.sin(phase)) for phase in phases]
-    )
-    return PhaseBand(
-        float(heights.min()), float(heights.max()), _largest(np.hypot(first, second))
-    )
+    heights = [_largest(w * np.cos(phase) + v * np.sin(phase)) for phase in phases]
+    return PhaseBand(min(heights), max(heights), _largest(np.hypot(w, v)))
 
 
 def _largest(values: Array) -> float:
-    """Return the largest absolute value of a sampled function, by a parabola through its peak."""
-    height = np.abs(values)
-    k = int(height.argmax())
-    if not 0 < k < len(height) - 1:
-        return float(height[k])
-    left, top, right = (float(value) for value in height[k - 1 : k + 2])
-    bend = left - 2.0 * top + right
-    return top if bend == 0.0 else top - (right - left) ** 2 / (8.0 * bend)
+    """Return the largest absolute value of a sampled function."""
+    return float(np.abs(values).max())
