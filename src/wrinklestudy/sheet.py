@@ -5,16 +5,20 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from time import perf_counter
 
-from wrinklestudy.equilibrium import flat, planar, stability, tension_field, wrinkled
+from wrinklestudy.equilibrium import flat, planar, stability, tension_field, whole, wrinkled
 from wrinklestudy.equilibrium.critical_shape import WrinkleMode
 from wrinklestudy.equilibrium.envelope import envelope
+from wrinklestudy.equilibrium.imperfections import Imperfections
 from wrinklestudy.equilibrium.modes import critical_mode
 from wrinklestudy.equilibrium.newton import Observer
 from wrinklestudy.equilibrium.ranges import Stability
 from wrinklestudy.equilibrium.tension_field import TensionField
+from wrinklestudy.fem.boundary import Symmetry
+from wrinklestudy.fem.clamps import Clamps
 from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.size import ProblemSize
 from wrinklestudy.fem.space import Space
+from wrinklestudy.fem.thickness import ThicknessField
 from wrinklestudy.mechanics.bending import check_bending
 from wrinklestudy.mechanics.laws import Material, describe
 from wrinklestudy.metrics.confinement import confinement
@@ -24,7 +28,8 @@ from wrinklestudy.results.cases import resolved_thickness
 from wrinklestudy.results.prediction import PredictionRow, prediction_row
 from wrinklestudy.results.solved import State, TensionState
 from wrinklestudy.results.tension import tension_row
-from wrinklestudy.vocabulary import ASPECT, PARITIES, STRAIN, THICKNESS, Parity
+from wrinklestudy.results.whole import WholeState
+from wrinklestudy.vocabulary import ASPECT, PARITIES, STRAIN, THICKNESS, Parity, Part
 
 
 @dataclass(frozen=True)
@@ -45,6 +50,17 @@ class Sheet:
         Of the wrinkles across the sheet.
     mesh : MeshSettings
         Cells for the reference sheet; longer and thinner sheets get more.
+    symmetry : {'quarter', 'half', 'half-width', 'whole'}
+        Which part is solved: with the mirrors at x = 0 and y = 0, with that at x = 0 alone, with
+        that at y = 0 alone, with none. Without the mirror at y = 0 the pattern may sit anywhere
+        across the sheet; `parity` is then what it is like at the centre.
+    clamps : Clamps
+        How the clamps are shifted and turned; if at all, the symmetry must be 'whole'.
+    thickness_field : ThicknessField
+        How the thickness varies about its mean t.
+    weight : float
+        rho g W/mu of a sheet that is stretched level, see
+        `equilibrium.imperfections.self_weight`.
 
     Raises
     ------
@@ -58,6 +74,10 @@ class Sheet:
     bending: str = "thinning"
     parity: Parity = "antisymmetric"
     mesh: MeshSettings = field(default_factory=MeshSettings)
+    symmetry: Part = "quarter"
+    clamps: Clamps = field(default_factory=Clamps)
+    thickness_field: ThicknessField = field(default_factory=ThicknessField)
+    weight: float = 0.0
 
     def __post_init__(self) -> None:
         if self.aspect not in ASPECT:
@@ -67,6 +87,7 @@ class Sheet:
         check_bending(self.material.law, self.bending)
         if self.parity not in PARITIES:
             raise ValueError(f"parity = {self.parity!r}: must be one of {', '.join(PARITIES)}")
+        self.imperfections.check_part(self.symmetry, self.aspect)
 
     def _mesh(self) -> str:
         """Return what mesh a sheet that is too thin would need, for a message."""
@@ -76,9 +97,25 @@ class Sheet:
         return f"; it would need {size.text()}"
 
     @cached_property
+    def imperfections(self) -> Imperfections:
+        """What the sheet is like that a perfect one is not."""
+        return Imperfections(self.clamps, self.thickness_field, self.weight)
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether the sheet is perfect and a quarter of it is solved."""
+        return self.symmetry == "quarter" and self.imperfections.none
+
+    @property
+    def mirrors(self) -> Symmetry:
+        """Mirrors and clamps of the part that is solved."""
+        return Symmetry.of_part(self.symmetry, self.parity, self.clamps)
+
+    @cached_property
     def size(self) -> ProblemSize:
         """How many unknowns the sheet needs."""
-        return ProblemSize.of_sheet(self.aspect, resolved_thickness(self.thickness), self.mesh)
+        quarter = ProblemSize.of_sheet(self.aspect, resolved_thickness(self.thickness), self.mesh)
+        return quarter.of_part(self.symmetry)
 
     def check_memory(self, wrinkled: bool = True, jobs: int = 1) -> None:
         """Raise a MemoryError of one line if the memory would not hold the problem.
@@ -95,8 +132,9 @@ class Sheet:
 
     @cached_property
     def space(self) -> Space:
-        """The finite element space on the quarter sheet."""
-        return Space(make_grid(self.aspect, resolved_thickness(self.thickness), self.mesh))
+        """The finite element space on the part that is solved, the quarter sheet by default."""
+        quarter = make_grid(self.aspect, resolved_thickness(self.thickness), self.mesh)
+        return Space(self.mirrors.lines(quarter), unevenness=self.thickness_field)
 
     @property
     def settings(self) -> planar.PlanarSettings:
@@ -108,7 +146,7 @@ class Sheet:
         strain: float,
         settings: wrinkled.WrinkleSettings | None = None,
         observer: Observer | None = None,
-    ) -> State:
+    ) -> State | WholeState:
         """Return the state of the sheet at a strain.
 
         Parameters
@@ -118,6 +156,11 @@ class Sheet:
         settings : wrinkled.WrinkleSettings, optional
         observer : Observer, optional
             Is told of each iteration.
+
+        Returns
+        -------
+        State or WholeState
+            The latter with any symmetry but 'quarter', or with imperfections.
 
         Raises
         ------
@@ -130,6 +173,13 @@ class Sheet:
             raise ValueError(f"strain = {strain:g}: must be {STRAIN}")
         self.check_memory()
         start = perf_counter()
+        if not self.is_plain:
+            try:
+                found, reason = self._solve_whole(strain, settings, observer), ""
+            except ArithmeticError as error:
+                found, reason = None, str(error)
+            known = (self.symmetry, self.parity, self.material, self.imperfections)
+            return WholeState(strain, *known, found, reason, perf_counter() - start)
         unwrinkled = planar.solve(
             self.space, self.material, strain, self.settings, observer=observer
         )
@@ -140,6 +190,22 @@ class Sheet:
             nodes = self.space.nodes_from_field(solved.position)
             measures = measure_sheet(DeformedSheet(self.space.grid, nodes, self.settings.symmetry))
         return State(strain, solved, measures, seconds)
+
+    def _solve_whole(
+        self,
+        strain: float,
+        options: wrinkled.WrinkleSettings | None,
+        observer: Observer | None,
+    ) -> whole.WholeEquilibrium:
+        """Return the equilibrium of a sheet that is not plain."""
+        settings = whole.WholeSettings(self.mirrors, self.bending, self.parity, self.weight)
+        law, thickness = self.material.law, self.thickness
+        return whole.solve(self.space, law, strain, thickness, settings, options, observer)
+
+    def _check_plain(self, what: str) -> None:
+        """Refuse what is only known of a perfect sheet that is solved as a quarter."""
+        if not self.is_plain:
+            raise ValueError(f"{what}: only of a perfect sheet with symmetry = 'quarter'")
 
     def mode(self, strain: float) -> WrinkleMode:
         """Return the critical mode at a strain: with its shape the thickest sheet wrinkles first.
@@ -167,6 +233,7 @@ class Sheet:
         """
         if strain not in STRAIN:
             raise ValueError(f"strain = {strain:g}: must be {STRAIN}")
+        self._check_plain("mode")
         self.check_memory(wrinkled=False)
         symmetry = self.settings.symmetry
         state = flat.solve(self.space, self.material.law, strain, symmetry=symmetry)
@@ -229,6 +296,7 @@ class Sheet:
 
     def _field(self, strain: float, observer: Observer | None) -> TensionField:
         """Return the tension field on its own mesh, once strain and memory allow it."""
+        self._check_plain("tension field")
         if strain not in STRAIN:
             raise ValueError(f"strain = {strain:g}: must be {STRAIN}")
         grid = tension_field.tension_grid(self.aspect, self.mesh)
