@@ -98,10 +98,10 @@ _WORDS = {
     (1, 1, -1): "z -> -z",
     (-1, 1, 1): "x -> -x",
     (1, -1, 1): "y -> -y",
-    (-1, -1, 1): "the turn by pi about z",
-    (-1, 1, -1): "the turn by pi about y",
-    (1, -1, -1): "the turn by pi about x",
-    (-1, -1, -1): "the inversion at the centre",
+    (-1, -1, 1): "of a turn by pi about z",
+    (-1, 1, -1): "of a turn by pi about y",
+    (1, -1, -1): "of a turn by pi about x",
+    (-1, -1, -1): "of an inversion at the centre",
 }
 
 
@@ -124,5 +124,5 @@ def bifurcation(imperfections: Imperfections, aspect: float, parity: Parity) -> 
     for x, y, z in signs:
         turned = z * (across if y < 0 else 1)
         if turned < 0 and imperfections.keep((x, y, z), aspect):
-            return Bifurcation("sharp", f"the wrinkles break the symmetry {_WORDS[x, y, z]}")
+            return Bifurcation("sharp", f"the sheet has the symmetry {_WORDS[x, y, z]}, wrinkles do not")
     return Bifurcation("rounded", "the sheet has no symmetry that the wrinkles break")

@@ -69,7 +69,7 @@ class WholeRow(Row):
     nominal_stress_pa: float | None = described(
         "clamp force over undeformed cross-section", "Pa", of_equilibrium=True, shown=True
     )
-    critical_thickness: float = described(
+    critical_thickness: float | None = described(
         "tau_1/W: the flat sheet is unstable if t is less", shown=True
     )
     bifurcation: str = described(
@@ -221,7 +221,7 @@ def _unknown(state: WholeState) -> WholeRow:
         phi_squared=None,
         tilt=None,
         nominal_stress_pa=None,
-        critical_thickness=float("nan"),
+        critical_thickness=None,
         bifurcation=how.kind,
         bifurcation_reason=how.reason,
         pin_reaction=None,
