@@ -8,7 +8,7 @@ from time import perf_counter
 from wrinklestudy.equilibrium import flat, planar, stability, tension_field, whole, wrinkled
 from wrinklestudy.equilibrium.critical_shape import WrinkleMode
 from wrinklestudy.equilibrium.envelope import envelope
-from wrinklestudy.equilibrium.imperfections import Imperfections
+from wrinklestudy.equilibrium.imperfections import Bifurcation, Imperfections, bifurcation
 from wrinklestudy.equilibrium.modes import critical_mode
 from wrinklestudy.equilibrium.newton import Observer
 from wrinklestudy.equilibrium.ranges import Stability
@@ -116,6 +116,11 @@ class Sheet:
         """How many unknowns the sheet needs."""
         quarter = ProblemSize.of_sheet(self.aspect, resolved_thickness(self.thickness), self.mesh)
         return quarter.of_part(self.symmetry)
+
+    @property
+    def bifurcation(self) -> Bifurcation:
+        """Whether wrinkles appear at a sharp strain, and by which symmetry."""
+        return bifurcation(self.imperfections, self.aspect, self.parity)
 
     def check_memory(self, wrinkled: bool = True, jobs: int = 1) -> None:
         """Raise a MemoryError of one line if the memory would not hold the problem.
@@ -306,6 +311,9 @@ class Sheet:
     def stability(self, report: Callable[[float, float], None] | None = None) -> Stability:
         """Return birth and decay strain, the largest critical thickness and those between.
 
+        All ranges of strain in which the sheet wrinkles are found: imperfect clamps may make
+        several. Whether wrinkles appear at a sharp strain, says `bifurcation`.
+
         Parameters
         ----------
         report : callable, optional
@@ -319,4 +327,9 @@ class Sheet:
             If the memory would not hold the problem; one line with its size.
         """
         self.check_memory(wrinkled=False)
+        if not self.is_plain:
+            settings = whole.WholeSettings(self.mirrors, self.bending, self.parity, self.weight)
+            return stability.of_imperfect_sheet(
+                self.space, self.material, settings, self.thickness, report
+            )
         return stability.of_sheet(self.space, self.material, self.settings, self.thickness, report)

@@ -35,6 +35,9 @@ def run(arguments: argparse.Namespace) -> Answer:
     if plot is not None:
         write(plot, lambda path: _draw(chosen, size, limits, path))
     values = dict(vars(limits))
+    if not chosen.is_plain:
+        kind, reason = chosen.bifurcation
+        values |= {"windows": limits.ranges, "bifurcation": kind, "bifurcation_reason": reason}
     if size.width_mm is not None:
         for name in ("birth", "decay"):
             values[f"{name}_clamps_mm"] = size.clamps_mm(values[f"{name}_strain"])

@@ -17,7 +17,7 @@ from wrinklestudy.fem.assembly import Assembler
 from wrinklestudy.fem.factorisation import make_indefinite_solver, symmetric
 from wrinklestudy.mechanics import plate
 from wrinklestudy.mechanics.section import Section
-from wrinklestudy.typing import Array, Mask
+from wrinklestudy.typing import Array
 
 
 class MirrorClass(NamedTuple):
@@ -84,21 +84,32 @@ def classes(
         softest = float("nan")
         if kind in eigenvalues:
             bent = deflection_forms(flat, settings.bending, perturbations).bending
-            softest = _softest(tangent, free, state.thickness**3 * bent, solver.solve)
+            softest = softest_eigenvalue(tangent, state.thickness**3 * bent, solver.solve)
         stabilities.append(ClassStability(*kind, solver.negative_eigenvalues, softest))
     return stabilities
 
 
-def _softest(
+def softest_eigenvalue(
     tangent: sparse.csr_array,
-    free: Mask,
     bent: sparse.csr_array,
     solve: Callable[[Array], Array],
+    shift: float = 0.0,
 ) -> float:
-    """Return the eigenvalue of K v = mu M v nearest to zero; M acts on the deflection only."""
+    """Return the eigenvalue of K v = mu M v nearest to a shift; M acts on the deflection only.
+
+    Parameters
+    ----------
+    tangent : sparse array
+        Upper triangle of K.
+    bent : sparse array
+        Upper triangle of M on the deflections, the last of the unknowns.
+    solve : callable
+        Solves with K - shift M.
+    shift : float
+    """
     from scipy.sparse.linalg import LinearOperator, eigsh
 
-    size, deflections = tangent.shape[0], int(free[2].sum())
+    size, deflections = tangent.shape[0], bent.shape[0]
     whole = symmetric(bent)
 
     def mass(vector: Array) -> Array:
@@ -109,13 +120,16 @@ def _softest(
     def operator(action: Callable[[Array], Array]) -> LinearOperator:
         return LinearOperator((size, size), matvec=action, dtype=np.float64)
 
+    start = np.ones(size)
+    if shift != 0.0:  # without mirrors no symmetry may be left in the start
+        start = np.random.default_rng(0).standard_normal(size)
     values = eigsh(
         symmetric(tangent),
         k=1,
         M=operator(mass),
-        sigma=0.0,
+        sigma=shift,
         OPinv=operator(solve),
-        v0=solve(mass(np.ones(size))),
+        v0=solve(mass(start)),
         return_eigenvectors=False,
     )
     return float(values[0])

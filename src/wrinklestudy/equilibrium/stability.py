@@ -6,10 +6,15 @@ birth and decay are roots of tau_1(eps) = t.
 
 from collections.abc import Callable, Sequence
 
-from wrinklestudy.equilibrium.critical_curve import guided_curve
+from dataclasses import replace
+
+from wrinklestudy.equilibrium.critical_curve import CriticalCurve, guide_space, guided_curve
+from wrinklestudy.equilibrium.lifted_curve import LiftedCurve
 from wrinklestudy.equilibrium.planar import PlanarSettings
 from wrinklestudy.equilibrium.ranges import Stability, search, tolerance
 from wrinklestudy.equilibrium.scaled_curve import ScaledCurve
+from wrinklestudy.equilibrium.unwrinkled import planar_symmetry
+from wrinklestudy.equilibrium.whole import WholeSettings
 from wrinklestudy.fem.grid import Grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics import laws
@@ -61,6 +66,39 @@ def of_sheet(
     """
     curve = guided_curve(grid, material, settings, report)
     return find(curve, thickness, guide=curve.guide)
+
+
+def of_imperfect_sheet(
+    space: Space,
+    material: laws.Material,
+    settings: WholeSettings,
+    thickness: float,
+    report: Callable[[float, float], None] | None = None,
+) -> Stability:
+    """Return the ranges of strain in which a sheet wrinkles whose clamps may be off.
+
+    Where the sheet is lifted out of its plane, the critical thickness is that of
+    `lifted_curve`. See `of_sheet` for the other parameters and the errors.
+
+    Parameters
+    ----------
+    space : Space
+        On the part of the sheet that is solved.
+    settings : WholeSettings
+    """
+    flat = replace(settings, symmetry=planar_symmetry(settings.symmetry))
+    coarse = guide_space(space)
+    guide: CriticalCurve | None = None
+    if settings.stays_flat:
+        if coarse is not None:
+            guide = CriticalCurve(coarse, material.law, flat, report=report)
+        curve = CriticalCurve(space, material.law, flat, guide, report)
+    else:
+        lift = {"thickness": thickness, "lifting": settings.symmetry, "weight": settings.weight}
+        if coarse is not None:
+            guide = LiftedCurve(coarse, material.law, flat, report=report, **lift)
+        curve = LiftedCurve(space, material.law, flat, guide, report, **lift)
+    return find(curve, thickness, guide=guide)
 
 
 def find(

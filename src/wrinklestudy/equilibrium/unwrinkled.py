@@ -9,7 +9,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from wrinklestudy.equilibrium.flat import Flat
+from wrinklestudy.equilibrium import newton
+from wrinklestudy.equilibrium.flat import ROUNDING, Flat, NotConvergedError
 from wrinklestudy.equilibrium.modes import deflection_forms
 from wrinklestudy.equilibrium.problem import PlateProblem
 from wrinklestudy.fem.boundary import Symmetry
@@ -76,3 +77,28 @@ def lifted(flat: Flat, problem: PlateProblem, bending: str, stiffness: float) ->
     unknowns[-forms.assembler.size :] -= solver.solve(load) / thickness
     return problem.position(unknowns)
 
+
+
+def relaxed(flat: Flat, problem: PlateProblem, position: Array) -> Array:
+    """Return a lifted position in equilibrium in its plane: what the lift stretches gives way.
+
+    Raises
+    ------
+    ArithmeticError
+        If that is not found; one line.
+    """
+    free = problem.assembler.free.copy()
+    free[2] = False
+    planes = PlateProblem(
+        flat.space,
+        problem.uniform,
+        free,
+        position,
+        flat.sheet_position,
+        problem.assembler.slopes,
+    )
+    options = newton.NewtonOptions(noise=ROUNDING * problem.thickness)
+    minimum = newton.minimise(planes, position[free], planes.assembler.solver, options)
+    if not minimum.converged:
+        raise NotConvergedError(f"lifted sheet at strain {flat.strain:g}: {minimum.reason}")
+    return planes.position(minimum.unknowns)

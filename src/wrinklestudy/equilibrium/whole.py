@@ -184,7 +184,8 @@ def _of_family(
     problem = plate_problem(flat, symmetry, bending, thickness, settings.weight)
     unwrinkled = flat.sheet_position
     if not settings.stays_flat:
-        unwrinkled = lifted(flat, problem, bending, max(_ABOVE * critical, thickness))
+        highest = float(np.sqrt(modes.squared.max(initial=0.0)))  # of wrinkles or of corners
+        unwrinkled = lifted(flat, problem, bending, max(_ABOVE * highest, thickness))
     known = _Known(flat, modes, problem, unwrinkled, symmetry, settings)
     if thickness >= critical and settings.stays_flat:
         return _flat(known)
