@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from time import perf_counter
 
-from wrinklestudy.equilibrium import flat, planar, stability, tension_field, whole, wrinkled
+from wrinklestudy.equilibrium import flat, planar, stability, tension_field, wrinkled
 from wrinklestudy.equilibrium.critical_shape import WrinkleMode
 from wrinklestudy.equilibrium.envelope import envelope
 from wrinklestudy.equilibrium.imperfections import Bifurcation, Imperfections, bifurcation
@@ -13,6 +13,7 @@ from wrinklestudy.equilibrium.modes import critical_mode
 from wrinklestudy.equilibrium.newton import Observer
 from wrinklestudy.equilibrium.ranges import Stability
 from wrinklestudy.equilibrium.tension_field import TensionField
+from wrinklestudy.equilibrium.whole import WholeSettings
 from wrinklestudy.fem.boundary import Symmetry
 from wrinklestudy.fem.clamps import Clamps
 from wrinklestudy.fem.grid import MeshSettings, make_grid
@@ -28,7 +29,7 @@ from wrinklestudy.results.cases import resolved_thickness
 from wrinklestudy.results.prediction import PredictionRow, prediction_row
 from wrinklestudy.results.solved import State, TensionState
 from wrinklestudy.results.tension import tension_row
-from wrinklestudy.results.whole import WholeState
+from wrinklestudy.results.whole import solve_whole
 from wrinklestudy.vocabulary import ASPECT, PARITIES, STRAIN, THICKNESS, Parity, Part
 
 
@@ -51,16 +52,14 @@ class Sheet:
     mesh : MeshSettings
         Cells for the reference sheet; longer and thinner sheets get more.
     symmetry : {'quarter', 'half', 'half-width', 'whole'}
-        Which part is solved: with the mirrors at x = 0 and y = 0, with that at x = 0 alone, with
-        that at y = 0 alone, with none. Without the mirror at y = 0 the pattern may sit anywhere
-        across the sheet; `parity` is then what it is like at the centre.
+        Which part is solved: with mirrors at x = 0 and y = 0, at x = 0, at y = 0, or with none.
+        Without that at y = 0 `parity` is what the pattern is like at the centre.
     clamps : Clamps
         How the clamps are shifted and turned; if at all, the symmetry must be 'whole'.
     thickness_field : ThicknessField
         How the thickness varies about its mean t.
     weight : float
-        rho g W/mu of a sheet that is stretched level, see
-        `equilibrium.imperfections.self_weight`.
+        rho g W/mu of a level sheet, see `equilibrium.imperfections.self_weight`.
 
     Raises
     ------
@@ -151,7 +150,7 @@ class Sheet:
         strain: float,
         settings: wrinkled.WrinkleSettings | None = None,
         observer: Observer | None = None,
-    ) -> State | WholeState:
+    ) -> State:
         """Return the state of the sheet at a strain.
 
         Parameters
@@ -164,8 +163,8 @@ class Sheet:
 
         Returns
         -------
-        State or WholeState
-            The latter with any symmetry but 'quarter', or with imperfections.
+        State
+            A `WholeState` with any symmetry but 'quarter', or with imperfections.
 
         Raises
         ------
@@ -179,12 +178,17 @@ class Sheet:
         self.check_memory()
         start = perf_counter()
         if not self.is_plain:
-            try:
-                found, reason = self._solve_whole(strain, settings, observer), ""
-            except ArithmeticError as error:
-                found, reason = None, str(error)
-            known = (self.symmetry, self.parity, self.material, self.imperfections)
-            return WholeState(strain, *known, found, reason, perf_counter() - start)
+            return solve_whole(
+                self.space,
+                self.material,
+                strain,
+                self.thickness,
+                self._whole_settings,
+                self.symmetry,
+                self.imperfections,
+                settings,
+                observer,
+            )
         unwrinkled = planar.solve(
             self.space, self.material, strain, self.settings, observer=observer
         )
@@ -196,16 +200,9 @@ class Sheet:
             measures = measure_sheet(DeformedSheet(self.space.grid, nodes, self.settings.symmetry))
         return State(strain, solved, measures, seconds)
 
-    def _solve_whole(
-        self,
-        strain: float,
-        options: wrinkled.WrinkleSettings | None,
-        observer: Observer | None,
-    ) -> whole.WholeEquilibrium:
-        """Return the equilibrium of a sheet that is not plain."""
-        settings = whole.WholeSettings(self.mirrors, self.bending, self.parity, self.weight)
-        law, thickness = self.material.law, self.thickness
-        return whole.solve(self.space, law, strain, thickness, settings, options, observer)
+    @property
+    def _whole_settings(self) -> WholeSettings:
+        return WholeSettings(self.mirrors, self.bending, self.parity, self.weight)
 
     def _check_plain(self, what: str) -> None:
         """Refuse what is only known of a perfect sheet that is solved as a quarter."""
@@ -328,8 +325,7 @@ class Sheet:
         """
         self.check_memory(wrinkled=False)
         if not self.is_plain:
-            settings = whole.WholeSettings(self.mirrors, self.bending, self.parity, self.weight)
             return stability.of_imperfect_sheet(
-                self.space, self.material, settings, self.thickness, report
+                self.space, self.material, self._whole_settings, self.thickness, report
             )
         return stability.of_sheet(self.space, self.material, self.settings, self.thickness, report)

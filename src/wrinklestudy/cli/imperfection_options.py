@@ -1,4 +1,4 @@
-"""Options of sheets that are not perfect: clamps, thickness, weight, and the part that is solved."""
+"""Options of sheets that are not perfect: clamps, thickness, weight, the part that is solved."""
 
 import argparse
 from dataclasses import fields

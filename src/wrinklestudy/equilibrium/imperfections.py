@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from itertools import product
 from typing import Literal, NamedTuple
 
-from wrinklestudy.fem.boundary import Symmetry
+from wrinklestudy.fem.boundary import PERFECT, Symmetry
 from wrinklestudy.fem.clamps import Clamps
 from wrinklestudy.fem.thickness import UNIFORM, ThicknessField
 from wrinklestudy.vocabulary import WEIGHT, Parity, Part
@@ -29,7 +29,7 @@ class Imperfections:
         If the weight is not allowed; one line.
     """
 
-    clamps: Clamps = Clamps()
+    clamps: Clamps = PERFECT
     thickness: ThicknessField = UNIFORM
     weight: float = 0.0
 
@@ -63,7 +63,9 @@ class Imperfections:
             "whole": (),
         }[part]
         if self.weight != 0.0 and part in ("quarter", "half-width"):
-            raise ValueError(f"symmetry = {part!r}: the weight of the sheet needs 'half' or 'whole'")
+            raise ValueError(
+                f"symmetry = {part!r}: the weight of the sheet needs 'half' or 'whole'"
+            )
         for x, y, z in mirrors:
             if not self.keep((x, y, z), aspect):
                 line = "x" if x < 0 else "y"
@@ -84,8 +86,8 @@ class Bifurcation(NamedTuple):
     Parameters
     ----------
     kind : {'sharp', 'rounded'}
-        Whether wrinkles break a symmetry of the sheet, so that they appear at a strain of their own;
-        otherwise they grow out of what the sheet does before.
+        Whether wrinkles break a symmetry of the sheet, so that they appear at a strain of their
+        own; otherwise they grow out of what the sheet does before.
     reason : str
         Which symmetry, in words.
     """
@@ -124,5 +126,7 @@ def bifurcation(imperfections: Imperfections, aspect: float, parity: Parity) -> 
     for x, y, z in signs:
         turned = z * (across if y < 0 else 1)
         if turned < 0 and imperfections.keep((x, y, z), aspect):
-            return Bifurcation("sharp", f"the sheet has the symmetry {_WORDS[x, y, z]}, wrinkles do not")
+            return Bifurcation(
+                "sharp", f"the sheet has the symmetry {_WORDS[x, y, z]}, wrinkles do not"
+            )
     return Bifurcation("rounded", "the sheet has no symmetry that the wrinkles break")

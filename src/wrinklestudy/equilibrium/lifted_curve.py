@@ -12,16 +12,17 @@ from scipy import sparse
 
 from wrinklestudy.equilibrium.critical_curve import CriticalCurve
 from wrinklestudy.equilibrium.flat import Flat
-from wrinklestudy.equilibrium.mirror_stability import softest_eigenvalue
-from wrinklestudy.equilibrium.modes import deflection_forms
+from wrinklestudy.equilibrium.mirror_stability import softest_modes
+from wrinklestudy.equilibrium.modes import CORNER_PART, corner_part, deflection_forms
 from wrinklestudy.equilibrium.problem import PlateProblem
 from wrinklestudy.equilibrium.unwrinkled import lifted, plate_problem, relaxed
-from wrinklestudy.fem.boundary import Symmetry
+from wrinklestudy.fem.boundary import NO_MIRRORS, Symmetry
 from wrinklestudy.fem.factorisation import NotPositiveDefiniteError
 from wrinklestudy.typing import Array
 
 _ABOVE = 1.2  # thickness, over tau_1 of the flat sheet, at which it is lifted
 _MAX_SHIFTS = 12
+_MODES = 6  # four of the corners, and the first wrinkle in its two parities
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,7 +40,7 @@ class LiftedCurve(CriticalCurve):
     """
 
     thickness: float = 1.0e-3
-    lifting: Symmetry = Symmetry(None, None)
+    lifting: Symmetry = NO_MIRRORS
     weight: float = 0.0
 
     def _critical(self, flat: Flat, near: float | None) -> float:
@@ -52,7 +53,9 @@ class LiftedCurve(CriticalCurve):
 
 
 def _softest(flat: Flat, problem: PlateProblem, position: Array, stiff: float) -> float:
-    """Return the smallest eigenvalue mu of the tangent at a position.
+    """Return the smallest eigenvalue mu of a wrinkle of the tangent at a position.
+
+    Modes of the four corners are passed over, as in `modes`.
 
     Parameters
     ----------
@@ -69,12 +72,21 @@ def _softest(flat: Flat, problem: PlateProblem, position: Array, stiff: float) -
     for _ in range(_MAX_SHIFTS):
         data = tangent.data + (stiff**2 - thickness**2) * lift.data
         try:
-            solver.factorise(sparse.csr_array((data, tangent.indices, tangent.indptr), tangent.shape))
+            solver.factorise(
+                sparse.csr_array((data, tangent.indices, tangent.indptr), tangent.shape)
+            )
             break
         except NotPositiveDefiniteError:
             stiff *= _ABOVE
     else:
         raise ArithmeticError("the unwrinkled sheet is unstable at any thickness")
-    bent = thickness**3 * deflection_forms(flat, problem.section.bending, flat.symmetry).bending
-    shift = 1.0 - (stiff / thickness) ** 2
-    return softest_eigenvalue(tangent, bent, solver.solve, shift)
+    forms = deflection_forms(flat, problem.section.bending, flat.symmetry)
+    bent, shift = thickness**3 * forms.bending, 1.0 - (stiff / thickness) ** 2
+    start = np.random.default_rng(0).standard_normal(tangent.shape[0])
+    values, vectors = softest_modes(tangent, bent, solver.solve, _MODES, shift, start)
+    shapes = np.zeros((_MODES, flat.space.size))
+    shapes[:, forms.assembler.free[0]] = vectors[-forms.assembler.size :].T
+    wrinkles = corner_part(flat, forms.points, shapes) < CORNER_PART
+    if not wrinkles.any():  # then all wrinkles are stiffer than these
+        return 1.0
+    return float(values[wrinkles].min())

@@ -19,6 +19,8 @@ from wrinklestudy.mechanics import plate
 from wrinklestudy.mechanics.section import Section
 from wrinklestudy.typing import Array
 
+_EIGENVALUE_TOLERANCE = 1.0e-10
+
 
 class MirrorClass(NamedTuple):
     """Perturbations that keep or break each mirror of the state."""
@@ -90,12 +92,22 @@ def classes(
 
 
 def softest_eigenvalue(
+    tangent: sparse.csr_array, bent: sparse.csr_array, solve: Callable[[Array], Array]
+) -> float:
+    """Return the eigenvalue of K v = mu M v nearest to zero, see `softest_modes`."""
+    start = np.ones(tangent.shape[0])
+    return float(softest_modes(tangent, bent, solve, 1, 0.0, start)[0][0])
+
+
+def softest_modes(
     tangent: sparse.csr_array,
     bent: sparse.csr_array,
     solve: Callable[[Array], Array],
-    shift: float = 0.0,
-) -> float:
-    """Return the eigenvalue of K v = mu M v nearest to a shift; M acts on the deflection only.
+    count: int,
+    shift: float,
+    start: Array,
+) -> tuple[Array, Array]:
+    """Return eigenvalues of K v = mu M v near a shift, and the vectors; M acts on deflections.
 
     Parameters
     ----------
@@ -105,7 +117,11 @@ def softest_eigenvalue(
         Upper triangle of M on the deflections, the last of the unknowns.
     solve : callable
         Solves with K - shift M.
+    count : int
+        How many.
     shift : float
+    start : (n,) array
+        A vector that has something of all that are wanted.
     """
     from scipy.sparse.linalg import LinearOperator, eigsh
 
@@ -120,16 +136,13 @@ def softest_eigenvalue(
     def operator(action: Callable[[Array], Array]) -> LinearOperator:
         return LinearOperator((size, size), matvec=action, dtype=np.float64)
 
-    start = np.ones(size)
-    if shift != 0.0:  # without mirrors no symmetry may be left in the start
-        start = np.random.default_rng(0).standard_normal(size)
-    values = eigsh(
+    values, vectors = eigsh(
         symmetric(tangent),
-        k=1,
+        k=count,
         M=operator(mass),
         sigma=shift,
         OPinv=operator(solve),
         v0=solve(mass(start)),
-        return_eigenvectors=False,
+        tol=_EIGENVALUE_TOLERANCE,
     )
-    return float(values[0])
+    return values, vectors

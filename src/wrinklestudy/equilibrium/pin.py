@@ -2,9 +2,9 @@
 
 Without a mirror at Y = 0 the pattern slides almost freely: the softest eigenvalue of the tangent is
 some 1e-8 of the bending stiffness, so that Newton's method walks along the valley for ever although
-the residual is rounding. One degree of freedom at the centre is therefore held: the deflection of an
-odd pattern, its slope across for an even one. What force the pin carries, and the eigenvalue without
-it, are reported with the state.
+the residual is rounding. One degree of freedom at the centre is therefore held: the deflection of
+an odd pattern, its slope across for an even one. What force the pin carries, and the eigenvalue
+without it, are reported with the state.
 """
 
 from typing import NamedTuple

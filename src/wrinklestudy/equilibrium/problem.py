@@ -49,12 +49,12 @@ class PlateProblem:
         slopes: Slopes | None = None,
         weight: float = 0.0,
     ) -> None:
-        relative = space.relative_thickness
+        relative, thickness = space.relative_thickness, float(section.thickness)
         self.uniform = section  # of the mean thickness
         self.section = replace(section, thickness=section.thickness * relative)
         self.assembler = shared_assembler(space, free, slopes=slopes)
-        self.thickness = section.thickness
-        self.load = _self_weight(space, weight * section.thickness) if weight else None
+        self.thickness = thickness
+        self.load = _self_weight(space, weight * thickness) if weight else None
         self.prescribed = position.copy()
         self._flat = flat
         self._shift: sparse.csr_array | None = None
@@ -158,7 +158,8 @@ def _self_weight(space: Space, weight: float) -> Array:
     """Return the derivative (size,) of the integral of a weight for each area, times z."""
     density = weight * space.relative_thickness * space.measure
     local = (space.values.T @ density) * space.dof_scale
-    return np.bincount(space.dofs.element_dofs.ravel(), local.ravel(), space.size)
+    load: Array = np.bincount(space.dofs.element_dofs.ravel(), local.ravel(), space.size)
+    return load
 
 
 class _Response(NamedTuple):

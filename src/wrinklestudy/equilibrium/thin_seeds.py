@@ -81,7 +81,7 @@ def _with_corner(space: Space, section: Section, position: Array, flat: Array) -
     corner = Space(Grid(x[first[0] :], y[first[1] :]), space.order)
     nodes = space.nodes_from_field(position)
     start = corner.field_from_nodes(nodes[inside])
-    start[2] += corner.field_from_nodes(_bump(corner.grid, section.thickness))
+    start[2] += corner.field_from_nodes(_bump(corner.grid, float(section.thickness)))
     held = np.ones_like(nodes, dtype=bool)
     held[..., 1:, 1:] = False
     fixed = corner.field_from_nodes(held[inside[0], : len(corner.grid.x), : len(corner.grid.y)]) > 0

@@ -7,15 +7,16 @@ stiffness t S + t^3 B of `modes`.
 
 from dataclasses import replace
 
-import numpy as np
-
 from wrinklestudy.equilibrium import newton
 from wrinklestudy.equilibrium.flat import ROUNDING, Flat, NotConvergedError
-from wrinklestudy.equilibrium.modes import deflection_forms
+from wrinklestudy.equilibrium.modes import DeflectionForms, deflection_forms
 from wrinklestudy.equilibrium.problem import PlateProblem
 from wrinklestudy.fem.boundary import Symmetry
+from wrinklestudy.fem.factorisation import NotPositiveDefiniteError
 from wrinklestudy.mechanics.section import Section
 from wrinklestudy.typing import Array
+
+_MAX_RISES, _RISE = 20, 1.5
 
 
 def planar_symmetry(symmetry: Symmetry) -> Symmetry:
@@ -64,7 +65,8 @@ def lifted(flat: Flat, problem: PlateProblem, bending: str, stiffness: float) ->
     bending : str
     stiffness : float
         t of the bending stiffness t^3 B. At the thickness of a sheet that wrinkles the answer would
-        be one of its wrinkles, at one above the critical thickness it has none.
+        be one of its wrinkles, at one above the critical thickness it has none. It is raised where
+        the corners need more.
     """
     position = problem.prescribed.copy()
     position[:2] = flat.position
@@ -72,11 +74,22 @@ def lifted(flat: Flat, problem: PlateProblem, bending: str, stiffness: float) ->
     unknowns = position[free]
     forms = deflection_forms(flat, bending, flat.symmetry)
     solver, thickness = forms.assembler.solver, problem.thickness
-    solver.factorise(forms.shifted(stiffness**2))
+    _factorise(forms, stiffness)
     load = problem.residual(unknowns)[-forms.assembler.size :]
     unknowns[-forms.assembler.size :] -= solver.solve(load) / thickness
     return problem.position(unknowns)
 
+
+def _factorise(forms: DeflectionForms, stiffness: float) -> None:
+    """Factorise S + t^2 B at the first thickness, from one on, at which it is definite."""
+    for _ in range(_MAX_RISES):
+        try:
+            forms.assembler.solver.factorise(forms.shifted(stiffness**2))
+        except NotPositiveDefiniteError:
+            stiffness *= _RISE
+        else:
+            return
+    raise NotConvergedError("the flat sheet is unstable at any thickness")
 
 
 def relaxed(flat: Flat, problem: PlateProblem, position: Array) -> Array:

@@ -33,7 +33,7 @@ class HeldDofs(NamedTuple):
 
 @dataclass(frozen=True)
 class Clamp:
-    """Clamped ends: x, y, z are held with all their derivatives along the edge, and so is the slope.
+    """Clamped ends: x, y, z and the slope are held with all their derivatives along the edge.
 
     The sheet leaves a clamp within the plane of the clamp: x,1 . n = 0 with its normal n. For
     perfect clamps that is z,1 = 0; for others z,1 follows from x,1 and y,1, see `slopes`.
@@ -152,7 +152,9 @@ class Symmetry:
         return cls(odd_across=(False, True, parity == "antisymmetric"))
 
     @classmethod
-    def of_part(cls, part: str, parity: str = "antisymmetric", clamps: Clamps = PERFECT) -> "Symmetry":
+    def of_part(
+        cls, part: str, parity: str = "antisymmetric", clamps: Clamps = PERFECT
+    ) -> "Symmetry":
         """Return the symmetry with which a part of the sheet is solved.
 
         Parameters

@@ -108,7 +108,8 @@ class Space:
         """t(x, y) over the mean thickness at the Gauss points, (nq, ne); 1 for a uniform sheet."""
         if self.unevenness.uniform:
             return 1.0
-        return self.unevenness.relative(*self.points, self.grid.aspect)
+        x, y = self.points
+        return self.unevenness.relative(x, y, self.grid.aspect)
 
     @cached_property
     def values(self) -> Array:

@@ -160,8 +160,9 @@ class ThicknessField:
             values = values + ripple.values(x, y)
         for extreme in (float(values.min()), float(values.max())):
             if extreme not in RELATIVE_THICKNESS:
-                raise ValueError(f"thickness over its mean = {extreme:g}: must be "
-                                 f"{RELATIVE_THICKNESS}")
+                raise ValueError(
+                    f"thickness over its mean = {extreme:g}: must be {RELATIVE_THICKNESS}"
+                )
         return values
 
     def keeps(self, mirror_x: bool, mirror_y: bool, aspect: float) -> bool:

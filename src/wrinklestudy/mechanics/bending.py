@@ -188,9 +188,7 @@ class FvkBending(BendingLaw):
         stiffness = _initial_stiffness(law)
         moment = thickness**3 * np.tensordot(stiffness, curvature, axes=1)
         points = (1,) * (metric.ndim - 1)
-        bending = np.broadcast_to(
-            thickness**3 * stiffness.reshape(3, 3, *points), tangent.shape
-        )
+        bending = np.broadcast_to(thickness**3 * stiffness.reshape(3, 3, *points), tangent.shape)
         return SectionDerivatives(
             thickness * stress,
             moment,

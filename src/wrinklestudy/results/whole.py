@@ -1,20 +1,23 @@
 """What a sheet without mirrors was found to be at one strain."""
 
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from time import perf_counter
 
 import numpy as np
 
 from wrinklestudy.equilibrium import newton
 from wrinklestudy.equilibrium.imperfections import Imperfections, bifurcation
-from wrinklestudy.equilibrium.whole import WholeEquilibrium
+from wrinklestudy.equilibrium.whole import WholeEquilibrium, WholeSettings, solve
+from wrinklestudy.equilibrium.wrinkled import WrinkleSettings
+from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics.laws import Material
 from wrinklestudy.metrics.interpolant import DeformedSheet
-from wrinklestudy.metrics.measure import Measures, measure_sheet
+from wrinklestudy.metrics.measure import measure_sheet
 from wrinklestudy.metrics.phase_band import PhaseBand, phase_band
 from wrinklestudy.results.rows import Row, described
+from wrinklestudy.results.solved import State
 from wrinklestudy.typing import Array
-from wrinklestudy.vocabulary import Part
+from wrinklestudy.vocabulary import Parity, Part
 
 WHOLE_STATUSES = ("wrinkled", "unwrinkled", "flat", "not-converged")
 
@@ -96,33 +99,31 @@ class WholeRow(Row):
 
 
 @dataclass(frozen=True)
-class WholeState:
+class WholeState(State):
     """What `Sheet.solve` found of a half or a whole sheet at one strain.
 
     Parameters
     ----------
-    strain : float
+    strain, measures, seconds
+        See `State`.
+    equilibrium : WholeEquilibrium or None
+        None where there is no flat state to start from.
     part : {'quarter', 'half', 'half-width', 'whole'}
     parity : {'antisymmetric', 'symmetric'}
         Of the pattern at the centre.
     material : Material
     imperfections : Imperfections
-    equilibrium : WholeEquilibrium or None
-        None where there is no flat state to start from.
     reason : str
-        Why there is none; empty if there is one.
-    seconds : float
-        Wall time of the solve.
+        Why there is no equilibrium; empty if there is one.
     """
 
-    strain: float
+    # Other numbers belong to a sheet without mirrors; what is measured on its shape is the same.
+    equilibrium: WholeEquilibrium | None  # type: ignore[assignment]
     part: Part
-    parity: Literal["antisymmetric", "symmetric"]
+    parity: Parity
     material: Material
     imperfections: Imperfections
-    equilibrium: WholeEquilibrium | None
     reason: str
-    seconds: float
 
     @property
     def status(self) -> str:
@@ -144,11 +145,6 @@ class WholeState:
         return _shape(solved, solved.position)
 
     @property
-    def measures(self) -> Measures | None:
-        """What is measured on the mid-line, in units of W; None where it did not converge."""
-        return None if self.status == "not-converged" else measure_sheet(self.shape)
-
-    @property
     def band(self) -> PhaseBand | None:
         """The amplitude over all phases of the pattern, in units of W; None where it is unknown."""
         solved = self.equilibrium
@@ -162,7 +158,7 @@ class WholeState:
         first, second = (_wrinkles(state) for state in (solved, other))
         return phase_band(first.grid, first.nodes[2], second.nodes[2])
 
-    def row(self) -> WholeRow:
+    def row(self) -> WholeRow:  # type: ignore[override]
         """Return the state as a row of numbers."""
         solved, aspect = self.equilibrium, 0.0
         if solved is None:
@@ -199,9 +195,35 @@ class WholeState:
         low, high, top = (value / t for value in band)
         return replace(row, amplitude_low=low, amplitude_high=high, envelope_amplitude=top)
 
-    def as_dict(self) -> dict[str, Any]:
-        """Return the numbers of the state as plain values, None where there is none."""
-        return self.row().shown() | {"seconds": self.seconds}
+
+def solve_whole(
+    space: Space,
+    material: Material,
+    strain: float,
+    thickness: float,
+    settings: WholeSettings,
+    part: Part,
+    imperfections: Imperfections,
+    options: WrinkleSettings | None = None,
+    observer: newton.Observer | None = None,
+) -> WholeState:
+    """Return the state of a half or a whole sheet, one without an equilibrium included.
+
+    See `equilibrium.whole.solve` for the parameters.
+    """
+    start, solved, reason = perf_counter(), None, ""
+    try:
+        solved = solve(space, material.law, strain, thickness, settings, options, observer)
+    except ArithmeticError as error:
+        reason = str(error)
+    seconds = perf_counter() - start
+    measures = None
+    if solved is not None and solved.status != "not-converged":
+        measures = measure_sheet(_shape(solved, solved.position))
+    parity = settings.parity
+    return WholeState(
+        strain, solved, measures, seconds, part, parity, material, imperfections, reason
+    )
 
 
 def _unknown(state: WholeState) -> WholeRow:
