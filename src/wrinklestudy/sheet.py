@@ -102,7 +102,7 @@ class Sheet:
 
     @property
     def is_plain(self) -> bool:
-        """Whether the sheet is perfect and a quarter of it is solved."""
+        """Whether the sheet is perfect, and solved as a quarter."""
         return self.symmetry == "quarter" and self.imperfections.none
 
     @property
@@ -308,8 +308,7 @@ class Sheet:
     def stability(self, report: Callable[[float, float], None] | None = None) -> Stability:
         """Return birth and decay strain, the largest critical thickness and those between.
 
-        All ranges of strain in which the sheet wrinkles are found: imperfect clamps may make
-        several. Whether wrinkles appear at a sharp strain, says `bifurcation`.
+        All ranges of strain with wrinkles are found; see `bifurcation` for whether they are sharp.
 
         Parameters
         ----------

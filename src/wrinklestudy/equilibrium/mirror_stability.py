@@ -19,7 +19,8 @@ from wrinklestudy.mechanics import plate
 from wrinklestudy.mechanics.section import Section
 from wrinklestudy.typing import Array
 
-_EIGENVALUE_TOLERANCE = 1.0e-10
+_EIGENVALUE_TOLERANCE = 1.0e-9  # of several; a single one is found to rounding
+_LANCZOS = 5  # vectors for each
 
 
 class MirrorClass(NamedTuple):
@@ -143,6 +144,7 @@ def softest_modes(
         sigma=shift,
         OPinv=operator(solve),
         v0=solve(mass(start)),
-        tol=_EIGENVALUE_TOLERANCE,
+        ncv=min(max(_LANCZOS * count, 20), size),
+        tol=_EIGENVALUE_TOLERANCE if count > 1 else 0.0,
     )
     return values, vectors

@@ -158,7 +158,8 @@ def _self_weight(space: Space, weight: float) -> Array:
     """Return the derivative (size,) of the integral of a weight for each area, times z."""
     density = weight * space.relative_thickness * space.measure
     local = (space.values.T @ density) * space.dof_scale
-    load: Array = np.bincount(space.dofs.element_dofs.ravel(), local.ravel(), space.size)
+    load = np.zeros(space.size)
+    np.add.at(load, space.dofs.element_dofs, local)
     return load
 
 

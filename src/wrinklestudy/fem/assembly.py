@@ -194,7 +194,7 @@ class Assembler:
             is_tied = ~np.isnan(np.stack([tied[0, first], tied[0, second]]))
             is_tied &= np.array([[c == 2], [d == 2]])
             chosen = np.flatnonzero(is_tied.any(axis=0))
-            factor = (scale[left] * scale[right]).ravel()[chosen]
+            factor = np.multiply(scale[left], scale[right]).ravel()[chosen]
             pair = (first[chosen], second[chosen])
             same = (pair[0] == pair[1]) & (c == d)
             for one, other in product(range(3), repeat=2):  # components of the two masters

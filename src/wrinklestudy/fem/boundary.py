@@ -194,7 +194,8 @@ class Symmetry:
     def clamp(self) -> Clamp:
         """The clamped ends of the part that is solved."""
         ends: tuple[Edge, ...] = ("left", "right") if self.odd_along is None else ("right",)
-        return Clamp(ends, 1.0 if self.odd_across is None else 2.0, self.clamps)
+        factor = 1.0 if self.odd_across is None else 2.0
+        return Clamp(ends, force_factor=factor, clamps=self.clamps)
 
     @property
     def held(self) -> tuple[HeldDofs, ...]:
