@@ -13,7 +13,7 @@ from wrinklestudy.typing import AnyPath
 from wrinklestudy.vocabulary import PARTS, Parity
 
 STRAIN, THICKNESS, ASPECT = 0.12, 1.0e-3, 2.0
-QUICK, MESH, FINER = MeshSettings(5, 14), MeshSettings(12, 24), MeshSettings(18, 36)
+QUICK, MESH, FINER = MeshSettings(8, 18), MeshSettings(12, 24), MeshSettings(18, 36)
 SAME = 1.0e-6
 REFINED = 5.0e-3
 TURNED = Clamps(shear=0.02, rotate=0.03, twist=0.1, pitch=0.05, lift=0.02)

@@ -12,9 +12,10 @@ import numpy as np
 
 from wrinklestudy.equilibrium.flat import Flat
 from wrinklestudy.equilibrium.modes import (
+    DeflectionForms,
     Modes,
+    Spectrum,
     corner_part,
-    critical_modes,
     deflection_forms,
     spectrum,
 )
@@ -24,6 +25,8 @@ from wrinklestudy.fem.factorisation import symmetric
 from wrinklestudy.fem.space import Space
 from wrinklestudy.typing import Array
 from wrinklestudy.vocabulary import PARITIES, Parity
+
+_MIRRORED = 1.0e-3  # how near to one the overlap of a mode with its mirror image must be
 
 
 def families(flat: Flat, bending: str, parity: Parity, count: int = 8) -> tuple[Modes, Modes]:
@@ -45,23 +48,28 @@ def families(flat: Flat, bending: str, parity: Parity, count: int = 8) -> tuple[
     ArithmeticError
         If the flat sheet is unstable at any thickness up to W.
     """
-    start = _unbiased(flat.space)
     if flat.symmetry.odd_across is not None:
         first, second = (
-            critical_modes(flat, bending, _across(flat.symmetry, which), count, start)
-            for which in (parity, opposite(parity))
+            _half_width(flat, bending, which, count) for which in (parity, opposite(parity))
         )
         return first, second
-    squared, shapes, _ = spectrum(flat, bending, flat.symmetry, 2 * count, start=start)
+    found = spectrum(flat, bending, flat.symmetry, 2 * count, start=_unbiased(flat.space))
     forms = deflection_forms(flat, bending, flat.symmetry)
-    free = forms.assembler.free[0]
-    images = _reflected(flat, shapes)
-    overlap = shapes[:, free] @ (symmetric(forms.bending) @ images[:, free].T)
-    signs, vectors = np.linalg.eigh(0.5 * (overlap + overlap.T))
+    # The turn keeps the wrinkles of a sheet that is sheared, which are oblique.
+    mirror = (flat.symmetry.odd_along is None, True)
+    signs, vectors = np.linalg.eigh(_overlap(flat, forms, found.shapes, mirror))
     odd, even = vectors[:, signs < 0.0], vectors[:, signs >= 0.0]
     both = (odd, even) if parity == "antisymmetric" else (even, odd)
-    first, second = (_within(flat, bending, forms.points, squared, own, shapes) for own in both)
+    first, second = (_within(flat, flat.symmetry, bending, forms, found, own) for own in both)
     return first, second
+
+
+def _half_width(flat: Flat, bending: str, parity: Parity, count: int) -> Modes:
+    """Return the modes of a parity beside a mirror at Y = 0."""
+    symmetry = _across(flat.symmetry, parity)
+    found = spectrum(flat, bending, symmetry, 2 * count, start=_unbiased(flat.space))
+    forms = deflection_forms(flat, bending, symmetry)
+    return _within(flat, symmetry, bending, forms, found, np.eye(len(found.squared)))
 
 
 def opposite(parity: Parity) -> Parity:
@@ -70,32 +78,42 @@ def opposite(parity: Parity) -> Parity:
 
 
 def _within(
-    flat: Flat, bending: str, points: Array, squared: Array, own: Array, shapes: Array
+    flat: Flat,
+    symmetry: Symmetry,
+    bending: str,
+    forms: DeflectionForms,
+    found: Spectrum,
+    own: Array,
 ) -> Modes:
-    """Return the modes within the span of some mixtures of all modes."""
-    values, mixed = np.linalg.eigh(own.T @ (squared[:, None] * own))
-    shapes = (own @ mixed[:, ::-1]).T @ shapes
+    """Return the modes within the span of some mixtures of all modes.
+
+    Where x -> -x is a symmetry, those that are odd along the pull are left out: wrinkles are even.
+    """
+    if flat.symmetry.odd_along is None and own.shape[1] > 0:
+        signs, vectors = np.linalg.eigh(_overlap(flat, forms, own.T @ found.shapes, (True, False)))
+        if np.abs(np.abs(signs) - 1.0).max() < _MIRRORED and np.any(signs > 0.0):
+            own = own @ vectors[:, signs > 0.0]
+    values, mixed = np.linalg.eigh(own.T @ (found.squared[:, None] * own))
+    shapes = (own @ mixed[:, ::-1]).T @ found.shapes
     quartic, relaxation = quartic_form(flat, shapes)
-    corner = corner_part(flat, points, shapes)
-    return Modes(flat.symmetry, bending, values[::-1], shapes, corner, quartic, relaxation)
+    corner = corner_part(flat, forms.points, shapes)
+    return Modes(symmetry, bending, values[::-1], shapes, corner, quartic, relaxation)
+
+
+def _overlap(flat: Flat, forms: DeflectionForms, shapes: Array, mirror: tuple[bool, bool]) -> Array:
+    """Return phi_i . B phi_j' with the images phi' of modes under X -> -X, Y -> -Y or both."""
+    along, across = (-1 if side else 1 for side in mirror)
+    signs = np.array([1.0, along, across, along * across])
+    nodes = flat.space.nodes_from_field(shapes)[..., ::along, ::across] * signs[:, None, None]
+    free = forms.assembler.free[0]
+    images = flat.space.field_from_nodes(nodes)[:, free]
+    overlap: Array = shapes[:, free] @ (symmetric(forms.bending) @ images.T)
+    return 0.5 * (overlap + overlap.T)
 
 
 def _across(symmetry: Symmetry, parity: Parity) -> Symmetry:
     """Return a symmetry whose mirror Y = 0 is for deflections of a parity."""
     return replace(symmetry, odd_across=Symmetry.mirrored(parity).odd_across)
-
-
-def _reflected(flat: Flat, shapes: Array) -> Array:
-    """Return modes after a turn by pi about the centre, or after Y -> -Y beside a mirror X = 0.
-
-    The turn keeps the wrinkles of a sheet that is sheared, which are oblique.
-    """
-    nodes = flat.space.nodes_from_field(shapes)
-    if flat.symmetry.odd_along is None:
-        turned = nodes[..., ::-1, ::-1] * np.array([1.0, -1.0, -1.0, 1.0])[:, None, None]
-    else:
-        turned = nodes[..., ::-1] * np.array([1.0, 1.0, -1.0, -1.0])[:, None, None]
-    return flat.space.field_from_nodes(turned)
 
 
 def _unbiased(space: Space) -> Array:

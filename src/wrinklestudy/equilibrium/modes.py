@@ -244,13 +244,12 @@ def critical_modes(
     bending: str = "thinning",
     symmetry: Symmetry = QUARTER,
     count: int = 8,
-    start: Array | None = None,
 ) -> Modes:
     """Return the leading modes of a flat state with the reduced energy of their amplitudes.
 
     See `spectrum` for the parameters and errors.
     """
-    squared, shapes, corner = spectrum(flat, bending, symmetry, count, start=start)
+    squared, shapes, corner = spectrum(flat, bending, symmetry, count)
     quartic, relaxation = quartic_form(flat, shapes)
     return Modes(symmetry, bending, squared, shapes, corner, quartic, relaxation)
 

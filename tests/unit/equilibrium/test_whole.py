@@ -8,7 +8,7 @@ from wrinklestudy.equilibrium.imperfections import Imperfections, bifurcation
 from wrinklestudy.equilibrium.ranges import search
 
 LATEX = mooney_rivlin(c10=6.21e4, c01=1.58e5)
-COARSE = MeshSettings(5, 14)
+COARSE = MeshSettings(8, 18)
 
 
 def solved(strain=0.12, **options):
@@ -99,10 +99,7 @@ def test_windows_are_found_by_scanning_from_the_least_strain():
         ({"symmetry": "none"}, "symmetry = 'none': must be one of"),
         ({"clamps": Clamps(shear=0.1)}, "clamps that are off need 'whole'"),
         ({"thickness_field": ThicknessField(0.1)}, "both sides of x = 0"),
-        (
-            {"symmetry": "half", "thickness_field": ThicknessField(0.0, 0.1), "weight": 1.0},
-            "weight",
-        ),
+        ({"symmetry": "half", "weight": 1.0}, "weight = 1: must be"),
         ({"weight": 0.01}, "the weight of the sheet needs"),
     ],
 )

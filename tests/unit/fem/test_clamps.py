@@ -1,4 +1,4 @@
-"""Clamps that are off, and an uneven thickness: where they hold the sheet, what symmetry is left."""
+"""Clamps that are off, and an uneven thickness: where they hold, what symmetry is left."""
 
 import numpy as np
 import pytest
@@ -86,9 +86,12 @@ def test_weight_is_the_integral_of_the_thickness():
 
 
 def test_clamps_and_thickness_keep_the_symmetries_that_they_have():
-    assert Clamps(shear=0.1).keep((-1, -1, 1)) and not Clamps(shear=0.1).keep((1, -1, 1))
-    assert Clamps(twist=0.1).keep((-1, 1, -1)) and not Clamps(twist=0.1).keep((1, 1, -1))
-    assert Clamps(pitch=0.1).keep((1, -1, 1)) and not Clamps(pitch=0.1).keep((-1, 1, -1))
+    assert Clamps(shear=0.1).keep((-1, -1, 1))
+    assert not Clamps(shear=0.1).keep((1, -1, 1))
+    assert Clamps(twist=0.1).keep((-1, 1, -1))
+    assert not Clamps(twist=0.1).keep((1, 1, -1))
+    assert Clamps(pitch=0.1).keep((1, -1, 1))
+    assert not Clamps(pitch=0.1).keep((-1, 1, -1))
     assert ThicknessField(along=0.1).keeps(False, True, 2.0)
     assert not ThicknessField(along=0.1).keeps(True, False, 2.0)
     assert ThicknessField(along=0.1, across=0.1).keeps(False, False, 2.0)
