@@ -22,7 +22,6 @@ from wrinklestudy.equilibrium.modes import (
 from wrinklestudy.equilibrium.quartic import quartic_form
 from wrinklestudy.fem.boundary import Symmetry
 from wrinklestudy.fem.factorisation import symmetric
-from wrinklestudy.fem.space import Space
 from wrinklestudy.typing import Array
 from wrinklestudy.vocabulary import PARITIES, Parity
 
@@ -53,23 +52,27 @@ def families(flat: Flat, bending: str, parity: Parity, count: int = 8) -> tuple[
             _half_width(flat, bending, which, count) for which in (parity, opposite(parity))
         )
         return first, second
-    found = spectrum(flat, bending, flat.symmetry, 2 * count, start=_unbiased(flat.space))
+    # Of the modes of a whole sheet two in three are of interest: the others are odd along it.
+    many = 3 * count if flat.symmetry.odd_along is None else 2 * count
+    found = _spectrum(flat, bending, flat.symmetry, many)
     forms = deflection_forms(flat, bending, flat.symmetry)
     # The turn keeps the wrinkles of a sheet that is sheared, which are oblique.
     mirror = (flat.symmetry.odd_along is None, True)
     signs, vectors = np.linalg.eigh(_overlap(flat, forms, found.shapes, mirror))
     odd, even = vectors[:, signs < 0.0], vectors[:, signs >= 0.0]
     both = (odd, even) if parity == "antisymmetric" else (even, odd)
-    first, second = (_within(flat, flat.symmetry, bending, forms, found, own) for own in both)
+    first, second = (
+        _within(flat, flat.symmetry, bending, forms, found, own, count) for own in both
+    )
     return first, second
 
 
 def _half_width(flat: Flat, bending: str, parity: Parity, count: int) -> Modes:
     """Return the modes of a parity beside a mirror at Y = 0."""
     symmetry = _across(flat.symmetry, parity)
-    found = spectrum(flat, bending, symmetry, 2 * count, start=_unbiased(flat.space))
+    found = _spectrum(flat, bending, symmetry, 2 * count)
     forms = deflection_forms(flat, bending, symmetry)
-    return _within(flat, symmetry, bending, forms, found, np.eye(len(found.squared)))
+    return _within(flat, symmetry, bending, forms, found, np.eye(len(found.squared)), count)
 
 
 def opposite(parity: Parity) -> Parity:
@@ -84,6 +87,7 @@ def _within(
     forms: DeflectionForms,
     found: Spectrum,
     own: Array,
+    count: int,
 ) -> Modes:
     """Return the modes within the span of some mixtures of all modes.
 
@@ -94,10 +98,11 @@ def _within(
         if np.abs(np.abs(signs) - 1.0).max() < _MIRRORED and np.any(signs > 0.0):
             own = own @ vectors[:, signs > 0.0]
     values, mixed = np.linalg.eigh(own.T @ (found.squared[:, None] * own))
-    shapes = (own @ mixed[:, ::-1]).T @ found.shapes
+    values, mixed = values[::-1][:count], mixed[:, ::-1][:, :count]
+    shapes = (own @ mixed).T @ found.shapes
     quartic, relaxation = quartic_form(flat, shapes)
     corner = corner_part(flat, forms.points, shapes)
-    return Modes(symmetry, bending, values[::-1], shapes, corner, quartic, relaxation)
+    return Modes(symmetry, bending, values, shapes, corner, quartic, relaxation)
 
 
 def _overlap(flat: Flat, forms: DeflectionForms, shapes: Array, mirror: tuple[bool, bool]) -> Array:
@@ -116,6 +121,7 @@ def _across(symmetry: Symmetry, parity: Parity) -> Symmetry:
     return replace(symmetry, odd_across=Symmetry.mirrored(parity).odd_across)
 
 
-def _unbiased(space: Space) -> Array:
-    """Return a deflection without any symmetry, so that the search for modes misses none."""
-    return np.random.default_rng(0).standard_normal(space.size)
+def _spectrum(flat: Flat, bending: str, symmetry: Symmetry, count: int) -> Spectrum:
+    """Return modes for seeds; the search starts from no symmetry, so that it misses none."""
+    start = np.random.default_rng(0).standard_normal(flat.space.size)
+    return spectrum(flat, bending, symmetry, count, start=start)

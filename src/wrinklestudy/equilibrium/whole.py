@@ -251,6 +251,7 @@ def _minimised(
         rise=_RISE,
         ceiling=known.ceiling,
         noise=ROUNDING * thickness,
+        eager=True,
         observe=None if observer is None else partial(observer, "wrinkled state"),
     )
     unknowns, solver = start[problem.assembler.free], problem.assembler.solver
