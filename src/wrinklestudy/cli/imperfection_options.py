@@ -8,7 +8,6 @@ from wrinklestudy.cli.numbers import number
 from wrinklestudy.vocabulary import DENSITY, GRAVITY, PARTS
 
 if TYPE_CHECKING:
-    from wrinklestudy.cli.sheet_options import GivenSize
     from wrinklestudy.fem.thickness import Ripple, ThicknessTable
     from wrinklestudy.mechanics.laws import Material
 
@@ -78,7 +77,7 @@ def _ripple(text: str) -> "Ripple":
 
 
 def imperfections(
-    arguments: argparse.Namespace, size: "GivenSize", material: "Material"
+    arguments: argparse.Namespace, aspect: float, width_mm: float | None, material: "Material"
 ) -> dict[str, Any]:
     """Return what the options say of clamps, thickness and weight, by the names of `Sheet`."""
     from wrinklestudy.fem.clamps import CLAMP_LIMITS, Clamps
@@ -88,7 +87,7 @@ def imperfections(
         if (value := getattr(arguments, name)) not in limits:
             raise ValueError(f"--{name} = {value:g}: must be {limits}")
     clamps = Clamps(**{item.name: getattr(arguments, item.name) for item in fields(Clamps)})
-    table = _table(arguments.thickness_table, size.aspect) if arguments.thickness_table else None
+    table = _table(arguments.thickness_table, aspect) if arguments.thickness_table else None
     thickness = ThicknessField(
         arguments.thickness_along,
         arguments.thickness_across,
@@ -99,7 +98,7 @@ def imperfections(
         "symmetry": arguments.symmetry,
         "clamps": clamps,
         "thickness_field": thickness,
-        "weight": _weight(arguments, size, material),
+        "weight": _weight(arguments, width_mm, material),
     }
 
 
@@ -114,7 +113,7 @@ def _table(path: str, aspect: float) -> "ThicknessTable":
     return table
 
 
-def _weight(arguments: argparse.Namespace, size: "GivenSize", material: "Material") -> float:
+def _weight(arguments: argparse.Namespace, width_mm: float | None, material: "Material") -> float:
     """Return rho g W/mu, zero without a density."""
     from wrinklestudy.equilibrium.imperfections import self_weight
 
@@ -125,7 +124,7 @@ def _weight(arguments: argparse.Namespace, size: "GivenSize", material: "Materia
     for name, limits in (("density", DENSITY), ("gravity", GRAVITY)):
         if (value := getattr(arguments, name)) not in limits:
             raise ValueError(f"--{name} = {value:g}: must be {limits}")
-    if size.width_mm is None:
+    if width_mm is None:
         raise ValueError("--density: needs --length-mm, --width-mm and --thickness-mm")
-    width = 1e-3 * size.width_mm
+    width = 1e-3 * width_mm
     return self_weight(arguments.density, width, material.shear_modulus, arguments.gravity)

@@ -166,7 +166,7 @@ def sheet(arguments: argparse.Namespace, size: GivenSize) -> "Sheet":
     chosen = model(arguments)
     imperfect = {}
     if hasattr(arguments, "symmetry"):
-        imperfect = imperfections(arguments, size, chosen.material)
+        imperfect = imperfections(arguments, size.aspect, size.width_mm, chosen.material)
     return Sheet(
         size.aspect,
         size.thickness,

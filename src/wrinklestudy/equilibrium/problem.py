@@ -10,7 +10,7 @@ from wrinklestudy.equilibrium.energy import EnergyExpansion
 from wrinklestudy.equilibrium.flat import Flat
 from wrinklestudy.equilibrium.modes import Modes
 from wrinklestudy.fem.assembly import shared_assembler
-from wrinklestudy.fem.slopes import Slopes
+from wrinklestudy.fem.slopes import TiedSlopes
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics import plate
 from wrinklestudy.mechanics.bending import SectionDerivatives
@@ -33,7 +33,7 @@ class PlateProblem:
         Gives the prescribed values of all other dofs.
     flat : (3, size) array, optional
         The flat state of `shift`; without it the position, which then has z = 0.
-    slopes : Slopes, optional
+    slopes : TiedSlopes, optional
         The slope condition of clamps that are turned.
     weight : float
         rho g W/mu of a sheet under its own weight, which pulls toward -z.
@@ -46,7 +46,7 @@ class PlateProblem:
         free: Mask,
         position: Array,
         flat: Array | None = None,
-        slopes: Slopes | None = None,
+        slopes: TiedSlopes | None = None,
         weight: float = 0.0,
     ) -> None:
         relative, thickness = space.relative_thickness, float(section.thickness)

@@ -15,7 +15,7 @@ import numpy as np
 from scipy import sparse
 
 from wrinklestudy.fem.factorisation import Solver, make_solver
-from wrinklestudy.fem.slopes import Slopes
+from wrinklestudy.fem.slopes import TiedSlopes
 from wrinklestudy.fem.space import Space
 from wrinklestudy.typing import Array, Indices, Mask
 
@@ -56,7 +56,7 @@ class Assembler:
         membrane.
     known : dict
         Sparsity of tangents by unknowns; what is computed joins it.
-    slopes : Slopes, optional
+    slopes : TiedSlopes, optional
         Degrees of freedom of z, none of them free, that follow from those of x and y.
     """
 
@@ -64,7 +64,7 @@ class Assembler:
     free: Mask
     derivatives: int = 5
     known: dict[bytes, Sparsity] = field(default_factory=dict, repr=False)
-    slopes: Slopes | None = None
+    slopes: TiedSlopes | None = None
 
     def filled(self, prescribed: Array, unknowns: Array) -> Array:
         """Return a field (ncomp, size): the unknowns, what is prescribed, and what follows."""
@@ -178,7 +178,7 @@ class Assembler:
         return Sparsity(pattern, scatter)
 
     def _tied_entries(
-        self, numbers: Indices, slopes: Slopes
+        self, numbers: Indices, slopes: TiedSlopes
     ) -> Iterator[tuple[Indices, Indices, Array, Indices]]:
         """Yield rows, columns, factors and sources of what element entries of tied dofs add.
 
@@ -281,7 +281,7 @@ class Assembler:
 
 
 def shared_assembler(
-    space: Space, free: Mask, derivatives: int = 5, slopes: Slopes | None = None
+    space: Space, free: Mask, derivatives: int = 5, slopes: TiedSlopes | None = None
 ) -> Assembler:
     """Return an assembler for some unknowns of a space that shares its sparsity with the others.
 

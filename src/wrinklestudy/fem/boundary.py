@@ -11,7 +11,7 @@ import numpy as np
 
 from wrinklestudy.fem.clamps import Clamps
 from wrinklestudy.fem.grid import Edge, Grid
-from wrinklestudy.fem.slopes import Slopes
+from wrinklestudy.fem.slopes import TiedSlopes
 from wrinklestudy.typing import Array, Mask
 from wrinklestudy.vocabulary import PARITIES, PARTS
 
@@ -87,7 +87,7 @@ class Clamp:
         slopes = self.slopes(space)
         return position if slopes is None else slopes.complete(position)
 
-    def slopes(self, space: "Space") -> Slopes | None:
+    def slopes(self, space: "Space") -> TiedSlopes | None:
         """Return how z,1 and z,12 follow from those of x and y; None where they are zero."""
         if self.clamps.planar:
             return None
@@ -97,7 +97,7 @@ class Clamp:
             tied = space.edge_dofs(end, ["u_x", "u_xy"])
             dofs.append(tied)
             factors.append(np.repeat([[-n[0] / n[2]], [-n[1] / n[2]]], len(tied), axis=1))
-        return Slopes(np.concatenate(dofs), np.concatenate(factors, axis=1))
+        return TiedSlopes(np.concatenate(dofs), np.concatenate(factors, axis=1))
 
     def force(self, space: "Space", reactions: Array) -> float:
         """Return the force on the whole end.

@@ -8,7 +8,7 @@ from wrinklestudy.typing import Array, Indices
 
 
 @dataclass(frozen=True, eq=False)
-class Slopes:
+class TiedSlopes:
     """Degrees of freedom of z that follow from those of x and y of the same number.
 
     Parameters
