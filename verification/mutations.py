@@ -111,11 +111,25 @@ MUTATIONS = (
         "CORNER_PART = 1.5",
     ),
     Mutation(
+        "imperfections",
+        "slope at a twisted clamp that does not turn with it",
+        "fem/boundary.py",
+        "np.repeat([[-n[0] / n[2]], [-n[1] / n[2]]], len(tied), axis=1)",
+        "np.zeros((2, len(tied)))",
+    ),
+    Mutation(
+        "imperfections",
+        "one entry of the tangent missing where slopes at a clamp are tied",
+        "fem/assembly.py",
+        "np.where(i == j, 2.0, 1.0)",
+        "1.0",
+    ),
+    Mutation(
         "independent",
         "force of half the sheet",
         "fem/boundary.py",
-        "force_factor=1.0 if self.odd_across is None else 2.0",
-        "force_factor=1.0",
+        "factor = 1.0 if self.odd_across is None else 2.0",
+        "factor = 1.0",
     ),
     Mutation(
         "independent",

@@ -8,7 +8,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from wrinklestudy.fem.clamps import Clamps
     from wrinklestudy.fem.grid import MeshSettings
+    from wrinklestudy.fem.thickness import Ripple, ThicknessField, ThicknessTable
     from wrinklestudy.material.fit import fit
     from wrinklestudy.mechanics.laws import (
         foppl_von_karman,
@@ -19,13 +21,19 @@ if TYPE_CHECKING:
         yeoh,
     )
     from wrinklestudy.results.solved import State, TensionState
+    from wrinklestudy.results.whole import WholeState
     from wrinklestudy.sheet import Sheet
 
 _HOMES = {
+    "Clamps": "wrinklestudy.fem.clamps",
     "MeshSettings": "wrinklestudy.fem.grid",
+    "Ripple": "wrinklestudy.fem.thickness",
     "Sheet": "wrinklestudy.sheet",
     "State": "wrinklestudy.results.solved",
     "TensionState": "wrinklestudy.results.solved",
+    "ThicknessField": "wrinklestudy.fem.thickness",
+    "ThicknessTable": "wrinklestudy.fem.thickness",
+    "WholeState": "wrinklestudy.results.whole",
     "fit": "wrinklestudy.material.fit",
     "foppl_von_karman": "wrinklestudy.mechanics.laws",
     "mooney_rivlin": "wrinklestudy.mechanics.laws",
@@ -36,10 +44,15 @@ _HOMES = {
 }
 
 __all__ = [
+    "Clamps",
     "MeshSettings",
+    "Ripple",
     "Sheet",
     "State",
     "TensionState",
+    "ThicknessField",
+    "ThicknessTable",
+    "WholeState",
     "fit",
     "foppl_von_karman",
     "mooney_rivlin",

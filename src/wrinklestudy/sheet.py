@@ -8,12 +8,17 @@ from time import perf_counter
 from wrinklestudy.equilibrium import planar, stability, tension_field, wrinkled
 from wrinklestudy.equilibrium.critical_shape import WrinkleMode, wrinkle_mode
 from wrinklestudy.equilibrium.envelope import envelope
+from wrinklestudy.equilibrium.imperfections import Bifurcation, Imperfections, bifurcation
 from wrinklestudy.equilibrium.newton import Observer
 from wrinklestudy.equilibrium.ranges import Stability
 from wrinklestudy.equilibrium.tension_field import TensionField
+from wrinklestudy.equilibrium.whole import WholeSettings
+from wrinklestudy.fem.boundary import Symmetry
+from wrinklestudy.fem.clamps import Clamps
 from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.size import ProblemSize
 from wrinklestudy.fem.space import Space
+from wrinklestudy.fem.thickness import ThicknessField
 from wrinklestudy.mechanics.bending import check_bending
 from wrinklestudy.mechanics.laws import Material, describe
 from wrinklestudy.metrics.confinement import confinement
@@ -23,7 +28,8 @@ from wrinklestudy.results.cases import resolved_thickness
 from wrinklestudy.results.prediction import PredictionRow, prediction_row
 from wrinklestudy.results.solved import State, TensionState
 from wrinklestudy.results.tension import tension_row
-from wrinklestudy.vocabulary import ASPECT, PARITIES, STRAIN, THICKNESS, Parity
+from wrinklestudy.results.whole import solve_whole
+from wrinklestudy.vocabulary import ASPECT, PARITIES, STRAIN, THICKNESS, Parity, Part
 
 
 @dataclass(frozen=True)
@@ -44,6 +50,15 @@ class Sheet:
         Of the wrinkles across the sheet.
     mesh : MeshSettings
         Cells for the reference sheet; longer and thinner sheets get more.
+    symmetry : {'quarter', 'half', 'half-width', 'whole'}
+        Which part is solved: with mirrors at x = 0 and y = 0, at x = 0, at y = 0, or with none.
+        Without that at y = 0 `parity` is what the pattern is like at the centre.
+    clamps : Clamps
+        How the clamps are shifted and turned; if at all, the symmetry must be 'whole'.
+    thickness_field : ThicknessField
+        How the thickness varies about its mean t.
+    weight : float
+        rho g W/mu of a level sheet, see `equilibrium.imperfections.self_weight`.
 
     Raises
     ------
@@ -57,6 +72,10 @@ class Sheet:
     bending: str = "thinning"
     parity: Parity = "antisymmetric"
     mesh: MeshSettings = field(default_factory=MeshSettings)
+    symmetry: Part = "quarter"
+    clamps: Clamps = field(default_factory=Clamps)
+    thickness_field: ThicknessField = field(default_factory=ThicknessField)
+    weight: float = 0.0
 
     def __post_init__(self) -> None:
         if self.aspect not in ASPECT:
@@ -66,6 +85,7 @@ class Sheet:
         check_bending(self.material.law, self.bending)
         if self.parity not in PARITIES:
             raise ValueError(f"parity = {self.parity!r}: must be one of {', '.join(PARITIES)}")
+        self.imperfections.check_part(self.symmetry, self.aspect)
 
     def _mesh(self) -> str:
         """Return what mesh a sheet that is too thin would need, for a message."""
@@ -75,9 +95,30 @@ class Sheet:
         return f"; it would need {size.text()}"
 
     @cached_property
+    def imperfections(self) -> Imperfections:
+        """What the sheet is like that a perfect one is not."""
+        return Imperfections(self.clamps, self.thickness_field, self.weight)
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether the sheet is perfect, and solved as a quarter."""
+        return self.symmetry == "quarter" and self.imperfections.none
+
+    @property
+    def mirrors(self) -> Symmetry:
+        """Mirrors and clamps of the part that is solved."""
+        return Symmetry.of_part(self.symmetry, self.parity, self.clamps)
+
+    @cached_property
     def size(self) -> ProblemSize:
         """How many unknowns the sheet needs."""
-        return ProblemSize.of_sheet(self.aspect, resolved_thickness(self.thickness), self.mesh)
+        quarter = ProblemSize.of_sheet(self.aspect, resolved_thickness(self.thickness), self.mesh)
+        return quarter.of_part(self.symmetry)
+
+    @property
+    def bifurcation(self) -> Bifurcation:
+        """Whether wrinkles appear at a sharp strain, and by which symmetry."""
+        return bifurcation(self.imperfections, self.aspect, self.parity)
 
     def check_memory(self, wrinkled: bool = True, jobs: int = 1) -> None:
         """Raise a MemoryError of one line if the memory would not hold the problem.
@@ -94,8 +135,9 @@ class Sheet:
 
     @cached_property
     def space(self) -> Space:
-        """The finite element space on the quarter sheet."""
-        return Space(make_grid(self.aspect, resolved_thickness(self.thickness), self.mesh))
+        """The finite element space on the part that is solved, the quarter sheet by default."""
+        quarter = make_grid(self.aspect, resolved_thickness(self.thickness), self.mesh)
+        return Space(self.mirrors.lines(quarter), unevenness=self.thickness_field)
 
     @property
     def settings(self) -> planar.PlanarSettings:
@@ -118,6 +160,11 @@ class Sheet:
         observer : Observer, optional
             Is told of each iteration.
 
+        Returns
+        -------
+        State
+            A `WholeState` with any symmetry but 'quarter', or with imperfections.
+
         Raises
         ------
         ValueError
@@ -129,6 +176,18 @@ class Sheet:
             raise ValueError(f"strain = {strain:g}: must be {STRAIN}")
         self.check_memory()
         start = perf_counter()
+        if not self.is_plain:
+            return solve_whole(
+                self.space,
+                self.material,
+                strain,
+                self.thickness,
+                self._whole_settings,
+                self.symmetry,
+                self.imperfections,
+                settings,
+                observer,
+            )
         unwrinkled = planar.solve(
             self.space, self.material, strain, self.settings, observer=observer
         )
@@ -139,6 +198,15 @@ class Sheet:
             nodes = self.space.nodes_from_field(solved.position)
             measures = measure_sheet(DeformedSheet(self.space.grid, nodes, self.settings.symmetry))
         return State(strain, solved, measures, seconds)
+
+    @property
+    def _whole_settings(self) -> WholeSettings:
+        return WholeSettings(self.mirrors, self.bending, self.parity, self.weight)
+
+    def _check_plain(self, what: str) -> None:
+        """Refuse what is only known of a perfect sheet that is solved as a quarter."""
+        if not self.is_plain:
+            raise ValueError(f"{what}: only of a perfect sheet with symmetry = 'quarter'")
 
     def mode(self, strain: float) -> WrinkleMode:
         """Return the critical mode at a strain: with its shape the thickest sheet wrinkles first.
@@ -166,6 +234,7 @@ class Sheet:
         """
         if strain not in STRAIN:
             raise ValueError(f"strain = {strain:g}: must be {STRAIN}")
+        self._check_plain("mode")
         self.check_memory(wrinkled=False)
         return wrinkle_mode(self.space, self.material.law, strain, self.settings)
 
@@ -223,6 +292,7 @@ class Sheet:
 
     def _field(self, strain: float, observer: Observer | None) -> TensionField:
         """Return the tension field on its own mesh, once strain and memory allow it."""
+        self._check_plain("tension field")
         if strain not in STRAIN:
             raise ValueError(f"strain = {strain:g}: must be {STRAIN}")
         grid = tension_field.tension_grid(self.aspect, self.mesh)
@@ -231,6 +301,8 @@ class Sheet:
 
     def stability(self, report: Callable[[float, float], None] | None = None) -> Stability:
         """Return birth and decay strain, the largest critical thickness and those between.
+
+        All ranges of strain with wrinkles are found; see `bifurcation` for whether they are sharp.
 
         Parameters
         ----------
@@ -245,4 +317,8 @@ class Sheet:
             If the memory would not hold the problem; one line with its size.
         """
         self.check_memory(wrinkled=False)
+        if not self.is_plain:
+            return stability.of_imperfect_sheet(
+                self.space, self.material, self._whole_settings, self.thickness, report
+            )
         return stability.of_sheet(self.space, self.material, self.settings, self.thickness, report)

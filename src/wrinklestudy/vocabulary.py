@@ -5,11 +5,14 @@ from math import inf, isfinite
 from typing import Literal, get_args
 
 Parity = Literal["antisymmetric", "symmetric"]
+# Which part of the sheet is solved: what is left out follows from mirrors.
+Part = Literal["quarter", "half", "half-width", "whole"]
 Status = Literal["wrinkled", "flat", "not-converged"]
 # Of a flat state, whether small wrinkles grow on sheets that are thin enough.
 MapStatus = Literal["unstable", "stable", "not-converged"]
 
 PARITIES: tuple[Parity, ...] = get_args(Parity)
+PARTS: tuple[Part, ...] = get_args(Part)
 STATUSES: tuple[Status, ...] = get_args(Status)
 MAP_STATUSES: tuple[MapStatus, ...] = get_args(MapStatus)
 
@@ -65,3 +68,12 @@ STRAIN = Limits(1e-7, 1.0)
 JOBS = Limits(1, 1000)  # processes at the same time
 # Cells of the quarter of the reference sheet, along or across.
 CELLS = Limits(2, 500)
+# How far clamps and thickness of a whole sheet may be off: beyond that they are no imperfections.
+SHIFT = Limits(-0.5, 0.5, unit="in units of W")
+ANGLE = Limits(-0.5, 0.5, unit="in radians")
+UNEVENNESS = Limits(-0.5, 0.5, unit="in parts of the mean thickness")
+RELATIVE_THICKNESS = Limits(0.2, 5.0)
+WAVELENGTH = Limits(0.01, 100.0, unit="in units of W")
+WEIGHT = Limits(0.0, 0.1, unit="rho g W/mu")
+DENSITY = Limits(0.0, 3.0e4, unit="kg/m^3")
+GRAVITY = Limits(0.0, 1.0e3, unit="m/s^2")

@@ -224,4 +224,5 @@ def at_rest(section: Section, space: Space) -> tuple[float, float]:
     position = turn @ space.coordinates
     problem = LoadedSheet(space, section, np.ones(position.shape, dtype=bool), position)
     energy, residual, _ = problem.derivatives(position.ravel())
-    return abs(energy) / section.thickness, float(np.abs(residual).max()) / section.thickness
+    thickness = float(section.thickness)
+    return abs(energy) / thickness, float(np.abs(residual).max()) / thickness

@@ -25,9 +25,28 @@ def states_text(states: Sequence[_State], size: GivenSize) -> str:
             f"{_state(highest, size)}.",
         ]
     elif converged:
-        sentences.append(f"The sheet is flat at {len(converged)} of {len(states)} strains.")
+        is_like = "flat" if all(state["status"] == "flat" for state in converged) else "unwrinkled"
+        sentences.append(f"The sheet is {is_like} at {len(converged)} of {len(states)} strains.")
+    sentences += _whole_sheet(wrinkled)
     sentences += [f"{failure}." for failure in failures(states)]
     return f"{wrapped(' '.join(sentences))}\n{_states_table(states, size)}"
+
+
+def _whole_sheet(wrinkled: Sequence[_State]) -> list[str]:
+    """Return what is to be said of sheets without mirrors besides: the phase, the bifurcation."""
+    known = [state for state in wrinkled if state.get("amplitude_low") is not None]
+    if not known:
+        return []
+    widest = max(known, key=lambda state: state["amplitude_high"] / state["amplitude_low"])
+    low, high = (cell(widest[f"amplitude_{end}"]) for end in ("low", "high"))
+    return [
+        f"Depending on where across the sheet the pattern sits, the highest is {low} to {high} "
+        f"thicknesses at strain {widest['strain']:.6g}.",
+        f"The wrinkles appear {_APPEAR[widest['bifurcation']]}: {widest['bifurcation_reason']}.",
+    ]
+
+
+_APPEAR = {"sharp": "at a sharp strain", "rounded": "gradually"}
 
 
 def predictions_text(states: Sequence[_State]) -> str:
@@ -75,6 +94,8 @@ def _state(state: _State, size: GivenSize) -> str:
     """Return what a sheet is like in a converged state: 'is flat', 'has 12 crests ...'."""
     if state["status"] == "flat":
         return "is flat"
+    if state["status"] == "unwrinkled":
+        return "has no wrinkles, but its clamps or its weight keep it from being flat"
     height = f"{cell(state['amplitude_over_thickness'])} thicknesses"
     length = f"{cell(state['wavelength_over_width'])} widths"
     if size.width_mm is not None:
@@ -102,6 +123,8 @@ def _states_table(states: Sequence[_State], size: GivenSize) -> str:
         columns |= {"A mm": "amplitude_mm", "lambda mm": "wavelength_mm"}
     else:
         columns |= {"A/t": "amplitude_over_thickness", "lambda/W": "wavelength_over_width"}
+    if "amplitude_low" in states[0]:
+        columns |= {"A/t low": "amplitude_low", "A/t high": "amplitude_high"}
     columns |= {
         "peaks": "crests_and_troughs",
         "Phi^2": "phi_squared",

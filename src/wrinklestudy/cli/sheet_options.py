@@ -5,6 +5,7 @@ import sys
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from wrinklestudy.cli.imperfection_options import imperfections
 from wrinklestudy.cli.material_options import add_law, add_material, model
 from wrinklestudy.cli.numbers import number, whole_number
 from wrinklestudy.vocabulary import ASPECT, CELLS, PARITIES, THICKNESS
@@ -163,6 +164,9 @@ def sheet(arguments: argparse.Namespace, size: GivenSize) -> "Sheet":
     from wrinklestudy.sheet import Sheet
 
     chosen = model(arguments)
+    imperfect = {}
+    if hasattr(arguments, "symmetry"):
+        imperfect = imperfections(arguments, size.aspect, size.width_mm, chosen.material)
     return Sheet(
         size.aspect,
         size.thickness,
@@ -170,6 +174,7 @@ def sheet(arguments: argparse.Namespace, size: GivenSize) -> "Sheet":
         chosen.bending or arguments.bending,
         chosen.parity or arguments.parity,
         mesh_settings(arguments),
+        **imperfect,
     )
 
 

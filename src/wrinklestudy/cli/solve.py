@@ -4,6 +4,7 @@ import argparse
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from wrinklestudy.cli.imperfection_options import add_imperfections
 from wrinklestudy.cli.numbers import (
     NumberRange,
     numbers,
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
     add_sheet(parser)
+    add_imperfections(parser)
     group = parser.add_argument_group("strains", "repeatable; a number, or start:stop:step")
     group.add_argument("--strain", type=numbers, action="append", help=f"(L' - L)/L, {STRAIN}")
     group.add_argument(
@@ -60,6 +62,8 @@ def run(arguments: argparse.Namespace) -> Answer:
     vtu = planned("--vtu", arguments.vtu, VTU, overwrite, labels)
     pictures = planned("--picture", arguments.picture, PICTURES, overwrite, labels)
     chosen = sheet(arguments, size)
+    if vtu[0] is not None and not chosen.thickness_field.uniform:
+        raise ValueError("--vtu: only of a sheet of uniform thickness")
     announce(chosen, jobs=min(arguments.jobs, len(strains)))
     tasks = [
         Task(chosen, size, *of_strain) for of_strain in zip(strains, vtu, pictures, strict=True)

@@ -121,12 +121,16 @@ def values_of(state: "State", size: GivenSize) -> dict[str, Any]:
     values["clamps_mm"] = size.clamps_mm(state.strain)
     lengths = {
         "amplitude_mm": ("amplitude_over_thickness", size.thickness * size.width_mm),
+        "amplitude_low_mm": ("amplitude_low", size.thickness * size.width_mm),
+        "amplitude_high_mm": ("amplitude_high", size.thickness * size.width_mm),
         "wavelength_mm": ("wavelength_over_width", size.width_mm),
         "arc_width_mm": ("arc_width_over_width", size.width_mm),
         "projected_width_mm": ("projected_width_over_width", size.width_mm),
         "force_n": ("nominal_stress_pa", 1e-6 * size.thickness * size.width_mm**2),
     }
     for name, (ratio, scale) in lengths.items():
+        if ratio not in values:  # only of sheets without mirrors
+            continue
         values[name] = None if values[ratio] is None else scale * values[ratio]
     return values
 

@@ -4,6 +4,7 @@ import argparse
 import sys
 from typing import TYPE_CHECKING
 
+from wrinklestudy.cli.imperfection_options import add_imperfections
 from wrinklestudy.cli.output import Answer
 from wrinklestudy.cli.outputs import add_overwrite, planned, write
 from wrinklestudy.cli.sentences import stability_text
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
     add_sheet(parser)
+    add_imperfections(parser)
     parser.add_argument("--plot", metavar="FILE", help="draw tau_1 over strain: .png, .pdf or .svg")
     add_overwrite(parser)
 
@@ -33,6 +35,9 @@ def run(arguments: argparse.Namespace) -> Answer:
     if plot is not None:
         write(plot, lambda path: _draw(chosen, size, limits, path))
     values = dict(vars(limits))
+    if not chosen.is_plain:
+        kind, reason = chosen.bifurcation
+        values |= {"windows": limits.ranges, "bifurcation": kind, "bifurcation_reason": reason}
     if size.width_mm is not None:
         for name in ("birth", "decay"):
             values[f"{name}_clamps_mm"] = size.clamps_mm(values[f"{name}_strain"])

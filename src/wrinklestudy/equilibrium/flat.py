@@ -88,11 +88,15 @@ class MembraneProblem:
         self.symmetry = symmetry
         self.assembler = membrane_assembler(space, symmetry)
 
+    @property
+    def volume(self) -> Array:
+        """Reference volume that each Gauss point stands for, over the mean thickness."""
+        volume: Array = self.assembler.space.measure * self.assembler.space.relative_thickness
+        return volume
+
     def position(self, unknowns: Array) -> Array:
         """Return the dof vectors (2, size) with the prescribed values in place."""
-        field = self.prescribed.copy()
-        field[self.assembler.free] = unknowns
-        return field
+        return self.assembler.filled(self.prescribed, unknowns)
 
     def energy(self, unknowns: Array) -> float:
         """Return the energy, infinite where a cell is turned inside out."""
@@ -100,7 +104,7 @@ class MembraneProblem:
         gradient = space.derivatives(self.position(unknowns), 2)
         if np.any(gradient[0, 0] * gradient[1, 1] <= gradient[0, 1] * gradient[1, 0]):
             return np.inf
-        return float((membrane.energy(self.law, gradient) * space.measure).sum())
+        return float((membrane.energy(self.law, gradient) * self.volume).sum())
 
     def derivatives(self, unknowns: Array) -> EnergyExpansion:
         """Return the energy, the residual and the upper triangle of the tangent."""
@@ -108,8 +112,9 @@ class MembraneProblem:
         density, slope, blocks = membrane.expansion(
             self.law, space.derivatives(self.position(unknowns), 2)
         )
-        energy = float((density * space.measure).sum())
-        residual = assembler.residual(slope)[assembler.free]
+        energy = float((density * self.volume).sum())
+        residual = assembler.residual(slope * space.relative_thickness)[assembler.free]
+        blocks = [block * space.relative_thickness for block in blocks]
         return EnergyExpansion(energy, residual, assembler.tangent(blocks))
 
     def residual(self, unknowns: Array) -> Array:
@@ -122,7 +127,7 @@ class MembraneProblem:
         slope = membrane.gradient(
             membrane.force(self.law, tangents), membrane.frame(self.law, tangents)
         )
-        return self.assembler.residual(slope)
+        return self.assembler.residual(slope * self.assembler.space.relative_thickness)
 
     def shift(self) -> sparse.csr_array | None:
         """Return nothing: the flat problem needs no shift."""
@@ -141,21 +146,24 @@ def membrane_assembler(space: Space, symmetry: Symmetry) -> Assembler:
 def stretched(space: Space, strain: float, symmetry: Symmetry = QUARTER) -> Array:
     """Return a first guess of the flat state: uniaxial stretch that is held at the clamp.
 
-    x = (1 + eps) X and y = c(X) Y with c = 1 + ((1 + eps)^(-1/2) - 1)(1 - exp(-d/l)) at the
-    distance d from the last clamp. Prescribed degrees of freedom have their exact values.
+    Where the clamps are perfect x = (1 + eps) X and y = c(X) Y with
+    c = 1 + ((1 + eps)^(-1/2) - 1)(1 - exp(-d/l)) at the distance d from the next clamp. Prescribed
+    degrees of freedom have their exact values.
     """
-    values = np.zeros((2, 4, len(space.grid.x), len(space.grid.y)))
+    clamp = symmetry.clamp
+    held_position = clamp.position(space, strain)[:2]
+    values = space.nodes_from_field(held_position)
     x, y = space.grid.x[:, None], space.grid.y[None, :]
     far = (1.0 + strain) ** -0.5 - 1.0
-    decay = np.exp(-(space.grid.x[-1] - x) / _CLAMP_ZONE)
-    values[0, 0], values[0, 1] = (1.0 + strain) * x, 1.0 + strain
-    values[1, 0] = (1.0 + far * (1.0 - decay)) * y
-    values[1, 1] = -far * decay / _CLAMP_ZONE * y
-    values[1, 2] = 1.0 + far * (1.0 - decay)
-    values[1, 3] = -far * decay / _CLAMP_ZONE
+    side = np.where(x < 0.0, -1.0, 1.0) if len(clamp.ends) > 1 else 1.0
+    decay = np.exp(-(space.grid.x[-1] - side * x) / _CLAMP_ZONE)
+    values[1, 0] += far * (1.0 - decay) * y
+    values[1, 1] -= side * far * decay / _CLAMP_ZONE * y
+    values[1, 2] += far * (1.0 - decay)
+    values[1, 3] -= side * far * decay / _CLAMP_ZONE
     guess = space.field_from_nodes(values)
     held = ~symmetry.free(space)[:2]
-    guess[held] = symmetry.clamp.position(space, strain)[:2][held]
+    guess[held] = held_position[held]
     return guess
 
 

@@ -17,7 +17,10 @@ from wrinklestudy.fem.assembly import Assembler
 from wrinklestudy.fem.factorisation import make_indefinite_solver, symmetric
 from wrinklestudy.mechanics import plate
 from wrinklestudy.mechanics.section import Section
-from wrinklestudy.typing import Array, Mask
+from wrinklestudy.typing import Array
+
+_EIGENVALUE_TOLERANCE = 1.0e-9  # of several; a single one is found to rounding
+_LANCZOS = 5  # vectors for each
 
 
 class MirrorClass(NamedTuple):
@@ -84,21 +87,46 @@ def classes(
         softest = float("nan")
         if kind in eigenvalues:
             bent = deflection_forms(flat, settings.bending, perturbations).bending
-            softest = _softest(tangent, free, state.thickness**3 * bent, solver.solve)
+            softest = softest_eigenvalue(tangent, state.thickness**3 * bent, solver.solve)
         stabilities.append(ClassStability(*kind, solver.negative_eigenvalues, softest))
     return stabilities
 
 
-def _softest(
+def softest_eigenvalue(
+    tangent: sparse.csr_array, bent: sparse.csr_array, solve: Callable[[Array], Array]
+) -> float:
+    """Return the eigenvalue of K v = mu M v nearest to zero, see `softest_modes`."""
+    start = np.ones(tangent.shape[0])
+    return float(softest_modes(tangent, bent, solve, 1, 0.0, start)[0][0])
+
+
+def softest_modes(
     tangent: sparse.csr_array,
-    free: Mask,
     bent: sparse.csr_array,
     solve: Callable[[Array], Array],
-) -> float:
-    """Return the eigenvalue of K v = mu M v nearest to zero; M acts on the deflection only."""
+    count: int,
+    shift: float,
+    start: Array,
+) -> tuple[Array, Array]:
+    """Return eigenvalues of K v = mu M v near a shift, and the vectors; M acts on deflections.
+
+    Parameters
+    ----------
+    tangent : sparse array
+        Upper triangle of K.
+    bent : sparse array
+        Upper triangle of M on the deflections, the last of the unknowns.
+    solve : callable
+        Solves with K - shift M.
+    count : int
+        How many.
+    shift : float
+    start : (n,) array
+        A vector that has something of all that are wanted.
+    """
     from scipy.sparse.linalg import LinearOperator, eigsh
 
-    size, deflections = tangent.shape[0], int(free[2].sum())
+    size, deflections = tangent.shape[0], bent.shape[0]
     whole = symmetric(bent)
 
     def mass(vector: Array) -> Array:
@@ -109,13 +137,14 @@ def _softest(
     def operator(action: Callable[[Array], Array]) -> LinearOperator:
         return LinearOperator((size, size), matvec=action, dtype=np.float64)
 
-    values = eigsh(
+    values, vectors = eigsh(
         symmetric(tangent),
-        k=1,
+        k=count,
         M=operator(mass),
-        sigma=0.0,
+        sigma=shift,
         OPinv=operator(solve),
-        v0=solve(mass(np.ones(size))),
-        return_eigenvectors=False,
+        v0=solve(mass(start)),
+        ncv=min(max(_LANCZOS * count, 20), size),
+        tol=_EIGENVALUE_TOLERANCE if count > 1 else 0.0,
     )
-    return float(values[0])
+    return values, vectors

@@ -125,7 +125,9 @@ def deflection_forms(flat: Flat, bending: str, symmetry: Symmetry) -> Deflection
         If the bending law has no value at the flat state.
     """
     space = flat.space
-    stress, bent = plate.deflection(flat.law, bending, space.derivatives(flat.sheet_position))
+    stress, bent = plate.deflection(
+        flat.law, bending, space.derivatives(flat.sheet_position), space.relative_thickness
+    )
     if not np.isfinite(bent).all():
         raise ArithmeticError(
             f"flat state at strain {flat.strain:g}: the law leaves no thickness somewhere"
@@ -199,7 +201,7 @@ def spectrum(
     kept = squared >= _SMALLEST_PART**2 * squared[0]
     shapes = np.zeros((kept.sum(), flat.space.size))
     shapes[:, forms.assembler.free[0]] = vectors.T[kept]
-    return Spectrum(squared[kept], shapes, _corner_part(flat, forms.points, shapes))
+    return Spectrum(squared[kept], shapes, corner_part(flat, forms.points, shapes))
 
 
 def critical_thickness(
@@ -306,7 +308,7 @@ def _definite(forms: DeflectionForms, thickness: float) -> bool:
     return True
 
 
-def _corner_part(flat: Flat, bent: Array, shapes: Array) -> Array:
+def corner_part(flat: Flat, bent: Array, shapes: Array) -> Array:
     """Return the part of the bending energy of each mode at the corner of the sheet."""
     space = flat.space
     values = space.derivatives(shapes)
@@ -315,7 +317,12 @@ def _corner_part(flat: Flat, bent: Array, shapes: Array) -> Array:
     for row, (a, b) in enumerate(entries):
         density += (1.0 if a == b else 2.0) * bent[row] * values[a] * values[b]
     by_cell = (density * space.measure).sum(axis=1)
-    x, y = np.meshgrid(space.grid.x[:-1], space.grid.y[:-1], indexing="ij")
+    x, y = np.meshgrid(_inner(space.grid.x), _inner(space.grid.y), indexing="ij")
     corner = (x > _CORNER[0] * space.grid.x[-1] - 1e-9) & (y > _CORNER[1] * space.grid.y[-1] - 1e-9)
     fraction: Array = by_cell[:, corner.ravel()].sum(axis=1) / by_cell.sum(axis=1)
     return fraction
+
+
+def _inner(lines: Array) -> Array:
+    """Return how far each cell begins from the middle of the sheet along one direction."""
+    return np.minimum(np.abs(lines[:-1]), np.abs(lines[1:]))

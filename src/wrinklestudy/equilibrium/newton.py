@@ -59,6 +59,8 @@ class NewtonOptions:
     smooth : bool
         Whether the energy has a continuous second derivative; otherwise no step is taken with an
         old tangent, which tells nothing of the other side of a jump.
+    eager : bool
+        Whether a step after one with a shift tries none first, rather than an eighth of it.
     observe : callable, optional
         Is told of each iteration with a new tangent.
     """
@@ -70,6 +72,7 @@ class NewtonOptions:
     ceiling: float = np.inf
     noise: float = 0.0
     smooth: bool = True
+    eager: bool = False
     observe: Callable[[Iteration], None] | None = None
 
     def __post_init__(self) -> None:
@@ -175,7 +178,7 @@ def minimise(problem: Problem, start: Array, solver: Solver, options: NewtonOpti
             if finish.converged:
                 energy, reason = problem.energy(unknowns), ""
                 break
-        shifts = shifts.after(step.shift, options.first_shift)
+        shifts = shifts.after(step.shift, options)
     return Minimum(unknowns, energy, tangent, tuple(history), reason)
 
 
@@ -198,9 +201,10 @@ class _Shifts(NamedTuple):
         """Return the shift to try after one that was too small."""
         return max(4.0 * shift, self.least)
 
-    def after(self, shift: float, first_shift: float) -> "_Shifts":
+    def after(self, shift: float, options: NewtonOptions) -> "_Shifts":
         """Return the shifts of the next step after a step with a shift."""
-        first = 0.0 if shift < 1e-3 * first_shift else shift / 8.0
+        small = options.eager or shift < 1e-3 * options.first_shift
+        first = 0.0 if small else shift / 8.0
         return _Shifts(first, shift / 8.0 if shift > 0.0 else self.least)
 
 

@@ -68,8 +68,9 @@ def _responses(flat: Flat, shapes: Array, modes: Sequence[tuple[int, int]]) -> _
     solver = assembler.solver
     tangents = space.derivatives(flat.position, 2)
     _, _, blocks = membrane.expansion(flat.law, tangents)
-    solver.factorise(assembler.tangent(blocks))
-    stiffness = membrane.stiffness(flat.law, tangents)
+    relative = space.relative_thickness
+    solver.factorise(assembler.tangent([relative * block for block in blocks]))
+    stiffness = relative * membrane.stiffness(flat.law, tangents)
     vectors = membrane.frame(flat.law, tangents)
     slopes = space.derivatives(shapes, 2)
     strains, forces, loads = [], [], []

@@ -38,7 +38,8 @@ class Stability:
         also where wrinkles remain at the largest strain that was examined.
     ranges : tuple of (birth, decay)
         All ranges of strain in which the sheet wrinkles, nearly always one; the last decay may be
-        None.
+        None. A range that reaches down to the least strain that was examined, as a sheared sheet
+        may have, begins there.
     max_critical_thickness, strain_at_max : float
         Largest tau_1/W up to the largest strain, on the mesh of the sheet, to 1e-4 of itself, and
         where it is.
@@ -68,6 +69,7 @@ def search(
     known: Sequence[tuple[float, float]],
     survey: Sequence[float],
     near: float = 0.0,
+    origin: bool = True,
 ) -> Stability:
     """Return birth, decay and maximum from values of one curve.
 
@@ -78,7 +80,8 @@ def search(
     near : float
         How near to a known strain, in tolerances, a root need not be computed.
     """
-    table = {0.0: 0.0, **dict(known)}
+    table = {0.0: 0.0} if origin else {}
+    table.update(known)
     reason = _survey(curve, table, survey) if len(table) < 4 else ""
     reason = reason or _survey(curve, table, _beyond(table, thickness), thickness)
     for sign, low, high in ((1.0, _NEAR, 1.0), (-1.0, 1.0, 1.0 / _NEAR)):
@@ -86,13 +89,14 @@ def search(
             if low * thickness <= table[strain] <= high * thickness:
                 refine(curve, table, strain, sign)
     ranges = _ranges(curve, table, thickness, near)
+    births = [birth for birth, _ in ranges if birth > min(table)]
     for strain in inner_extrema(table, 1.0):
         if table[strain] >= _NEAR * max(table.values()) > 0.0:
             refine(curve, table, strain, 1.0)
     peak = max(table, key=table.__getitem__)
     return Stability(
         thickness,
-        ranges[0][0] if ranges else None,
+        births[0] if births else None,
         ranges[-1][1] if ranges else None,
         ranges,
         table[peak],
@@ -116,7 +120,7 @@ def _survey(
         try:
             table[strain] = curve(strain)
         except ArithmeticError as error:
-            if max(table) == 0.0:
+            if max(table, default=0.0) == 0.0:
                 raise
             return _edge(curve, table, strain, str(error))
         if until is not None and table[strain] <= until:
@@ -156,7 +160,8 @@ def _ranges(
 ) -> tuple[tuple[float, float | None], ...]:
     """Return the ranges of strain in which a table exceeds a thickness, their ends as roots."""
     strains = sorted(table)
-    roots: list[float | None] = [
+    roots: list[float | None] = [strains[0]] if table[strains[0]] > thickness else []
+    roots += [
         _root(curve, table, thickness, low, high, near)
         for low, high in pairwise(strains)
         if (table[low] > thickness) != (table[high] > thickness)

@@ -5,11 +5,15 @@ birth and decay are roots of tau_1(eps) = t.
 """
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
-from wrinklestudy.equilibrium.critical_curve import guided_curve
+from wrinklestudy.equilibrium.critical_curve import CriticalCurve, guide_space, guided_curve
+from wrinklestudy.equilibrium.lifted_curve import LiftedCurve
 from wrinklestudy.equilibrium.planar import PlanarSettings
 from wrinklestudy.equilibrium.ranges import Stability, search, tolerance
 from wrinklestudy.equilibrium.scaled_curve import ScaledCurve
+from wrinklestudy.equilibrium.unwrinkled import planar_symmetry
+from wrinklestudy.equilibrium.whole import WholeSettings
 from wrinklestudy.fem.grid import Grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics import laws
@@ -63,20 +67,53 @@ def of_sheet(
     return find(curve, thickness, guide=curve.guide)
 
 
+def of_imperfect_sheet(
+    space: Space,
+    material: laws.Material,
+    settings: WholeSettings,
+    thickness: float,
+    report: Callable[[float, float], None] | None = None,
+) -> Stability:
+    """Return the ranges of strain in which a sheet wrinkles whose clamps may be off.
+
+    Where the sheet is lifted out of its plane, the critical thickness is that of
+    `lifted_curve`. See `of_sheet` for the other parameters and the errors.
+
+    Parameters
+    ----------
+    space : Space
+        On the part of the sheet that is solved.
+    settings : WholeSettings
+    """
+    flat = replace(settings, symmetry=planar_symmetry(settings.symmetry))
+    coarse = guide_space(space)
+    guide: CriticalCurve | None = None
+    if settings.stays_flat:
+        if coarse is not None:
+            guide = CriticalCurve(coarse, material.law, flat, report=report)
+        curve = CriticalCurve(space, material.law, flat, guide, report)
+    else:
+        lift = (thickness, settings.symmetry, settings.weight)
+        if coarse is not None:
+            guide = LiftedCurve(coarse, material.law, flat, None, report, *lift)
+        curve = LiftedCurve(space, material.law, flat, guide, report, *lift)
+    return find(curve, thickness, guide=guide, origin=settings.symmetry.clamps.perfect)
+
+
 def find(
     curve: Callable[[float], float],
     thickness: float,
     known: Sequence[tuple[float, float]] = (),
     survey: Sequence[float] = SURVEY,
     guide: Callable[[float], float] | None = None,
+    origin: bool = True,
 ) -> Stability:
     """Return birth and decay strain from a function tau_1(eps).
 
     Parameters
     ----------
     curve : callable
-        tau_1/W at a strain > 0; raises ArithmeticError where it cannot be computed. tau_1 = 0 at
-        zero strain.
+        tau_1/W at a strain > 0; raises ArithmeticError where it cannot be computed.
     thickness : float
         t/W.
     known : sequence of (strain, tau_1/W)
@@ -85,6 +122,8 @@ def find(
         Strains to compute first where fewer than four are known.
     guide : callable, optional
         A curve like it that costs little: then few values of the curve itself are computed.
+    origin : bool
+        Whether tau_1 = 0 at zero strain, as it is where no clamp is shifted or turned.
 
     Raises
     ------
@@ -96,14 +135,16 @@ def find(
     if not thickness > 0:
         raise ValueError(f"thickness = {thickness:g}: must be > 0 (in units of W)")
     if guide is None:
-        return search(curve, thickness, known, survey)
-    return _find_guided(ScaledCurve(curve, guide), thickness, survey)
+        return search(curve, thickness, known, survey, origin=origin)
+    return _find_guided(ScaledCurve(curve, guide), thickness, survey, origin)
 
 
-def _find_guided(scaled: ScaledCurve, thickness: float, survey: Sequence[float]) -> Stability:
+def _find_guided(
+    scaled: ScaledCurve, thickness: float, survey: Sequence[float], origin: bool
+) -> Stability:
     """Return birth, decay and maximum of a curve from its guide, corrected where they lie."""
     for _ in range(_MAX_PASSES):
-        limits = search(scaled, thickness, scaled.known(), survey, near=1.0)
+        limits = search(scaled, thickness, scaled.known(), survey, 1.0, origin)
         wanted = _wanted(limits, scaled)
         if not wanted:
             break
@@ -133,5 +174,6 @@ def _wanted(limits: Stability, scaled: ScaledCurve) -> list[float]:
     if len(scaled.exact) == 1 and abs(scaled.ratio(limits.strain_at_max) - 1.0) > _TRUE:
         beside = [limits.strain_at_max * factor for factor in _BESIDE]
         return [strain for strain in beside if strain <= limits.largest_strain]
-    roots = [root for ends in limits.ranges for root in ends if root is not None]
+    least = limits.critical_thickness[0][0]  # where a range may begin without a root
+    roots = [root for ends in limits.ranges for root in ends if root is not None and root > least]
     return [r for r in roots if scaled.distance(r) > _NEIGHBOURHOOD * tolerance(r)]

@@ -81,7 +81,7 @@ def _with_corner(space: Space, section: Section, position: Array, flat: Array) -
     corner = Space(Grid(x[first[0] :], y[first[1] :]), space.order)
     nodes = space.nodes_from_field(position)
     start = corner.field_from_nodes(nodes[inside])
-    start[2] += corner.field_from_nodes(_bump(corner.grid, section.thickness))
+    start[2] += corner.field_from_nodes(_bump(corner.grid, float(section.thickness)))
     held = np.ones_like(nodes, dtype=bool)
     held[..., 1:, 1:] = False
     fixed = corner.field_from_nodes(held[inside[0], : len(corner.grid.x), : len(corner.grid.y)]) > 0
@@ -106,7 +106,7 @@ def _bump(grid: Grid, height: float) -> Array:
 
 def _relaxed(problem: PlateProblem, start: Array, options: newton.NewtonOptions) -> Array:
     """Return the position where a part of the sheet is in equilibrium, or the start."""
-    free, thickness = problem.assembler.free, problem.section.thickness
+    free, thickness = problem.assembler.free, problem.thickness
     options = replace(options, first_shift=thickness**2, noise=ROUNDING * thickness)
     smooth = Predicting(problem) if options.smooth else problem
     minimum = newton.minimise(smooth, start[free], problem.assembler.solver, options)

@@ -180,7 +180,7 @@ def _checked(planar: Planar, problem: PlateProblem, minimum: newton.Minimum) -> 
     """Return the state where a minimisation ended, converged only if it lies below the flat one."""
     if planar.flat is None or planar.modes is None:
         raise ValueError(f"no flat state to compare with: {planar.reason}")
-    thickness = problem.section.thickness
+    thickness = problem.thickness
     flat_energy = thickness * planar.flat.energy
     reason, unstable = minimum.reason, 0
     if not reason and not minimum.energy < flat_energy:

@@ -6,13 +6,16 @@ are one matrix product per pair of components; a sparse matrix, built once, scat
 upper triangle of the global tangent.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import product
 
 import numpy as np
 from scipy import sparse
 
 from wrinklestudy.fem.factorisation import Solver, make_solver
+from wrinklestudy.fem.slopes import TiedSlopes
 from wrinklestudy.fem.space import Space
 from wrinklestudy.typing import Array, Indices, Mask
 
@@ -53,12 +56,27 @@ class Assembler:
         membrane.
     known : dict
         Sparsity of tangents by unknowns; what is computed joins it.
+    slopes : TiedSlopes, optional
+        Degrees of freedom of z, none of them free, that follow from those of x and y.
     """
 
     space: Space
     free: Mask
     derivatives: int = 5
     known: dict[bytes, Sparsity] = field(default_factory=dict, repr=False)
+    slopes: TiedSlopes | None = None
+
+    def filled(self, prescribed: Array, unknowns: Array) -> Array:
+        """Return a field (ncomp, size): the unknowns, what is prescribed, and what follows."""
+        field = prescribed.copy()
+        field[self.free] = unknowns
+        return field if self.slopes is None else self.slopes.complete(field)
+
+    def reduced(self, residual: Array) -> Array:
+        """Return the derivative of an energy with respect to the unknowns from `residual`."""
+        if self.slopes is not None:
+            residual = self.slopes.pull_back(residual)
+        return residual[self.free]
 
     @property
     def solver(self) -> Solver:
@@ -116,7 +134,7 @@ class Assembler:
     @property
     def sparsity(self) -> Sparsity:
         """The pattern of tangents."""
-        key = np.packbits(self.free).tobytes()
+        key = np.packbits(self.free).tobytes() + (self.slopes.key if self.slopes else b"")
         if key not in self.known:
             self.known[key] = self._sparsity()
         return self.known[key]
@@ -133,7 +151,13 @@ class Assembler:
             rows.append(np.minimum(i, j).ravel())
             columns.append(np.maximum(i, j).ravel())
             values.append((scale[left] * scale[right]).ravel())
-        row, column = np.concatenate(rows), np.concatenate(columns)
+        sources = [np.arange(sum(map(len, values)))]
+        entries = len(sources[0])
+        if self.slopes is not None:
+            for extra in self._tied_entries(numbers, self.slopes):
+                for listed, new in zip((rows, columns, values, sources), extra, strict=True):
+                    listed.append(new)
+        row, column, source = np.concatenate(rows), np.concatenate(columns), np.concatenate(sources)
         kept = np.flatnonzero(row >= 0)
         # Once sorted by row and then by column, entries to be added up lie side by side.
         kept = kept[_sorted_order(column[kept], self.size)]
@@ -143,8 +167,8 @@ class Assembler:
         new[1:] = (np.diff(row) != 0) | (np.diff(column) != 0)
         starts = np.flatnonzero(new)
         scatter = sparse.csr_array(
-            (np.concatenate(values)[kept], kept, np.append(starts, len(kept))),
-            shape=(len(starts), sum(map(len, values))),
+            (np.concatenate(values)[kept], source[kept], np.append(starts, len(kept))),
+            shape=(len(starts), entries),
         )
         indptr = np.searchsorted(row[starts], np.arange(self.size + 1)).astype(np.int32)
         pattern = sparse.csr_array(
@@ -152,6 +176,46 @@ class Assembler:
             shape=(self.size, self.size),
         )
         return Sparsity(pattern, scatter)
+
+    def _tied_entries(
+        self, numbers: Indices, slopes: TiedSlopes
+    ) -> Iterator[tuple[Indices, Indices, Array, Indices]]:
+        """Yield rows, columns, factors and sources of what element entries of tied dofs add.
+
+        With z = f_x x + f_y y an entry k of a pair of dofs is one of their masters, times the
+        factors of both.
+        """
+        element_dofs, scale = self.space.dofs.element_dofs, self.space.dof_scale
+        tied = slopes.masters(self.space.size)
+        offset = 0
+        for c, d in self.pairs:
+            left, right = np.triu_indices(16) if c == d else np.indices((16, 16)).reshape(2, -1)
+            first, second = element_dofs[left].ravel(), element_dofs[right].ravel()
+            is_tied = ~np.isnan(np.stack([tied[0, first], tied[0, second]]))
+            is_tied &= np.array([[c == 2], [d == 2]])
+            chosen = np.flatnonzero(is_tied.any(axis=0))
+            factor = np.multiply(scale[left], scale[right]).ravel()[chosen]
+            pair = (first[chosen], second[chosen])
+            same = (pair[0] == pair[1]) & (c == d)
+            for one, other in product(range(3), repeat=2):  # components of the two masters
+                weights = factor.copy()
+                for master, of, dofs, ties in zip(
+                    (one, other), (c, d), pair, is_tied[:, chosen], strict=True
+                ):
+                    own = np.where(ties, 0.0, float(master == of))
+                    through = tied[master, dofs] if master < 2 else np.zeros(len(dofs))
+                    weights *= np.where(ties, np.nan_to_num(through), own)
+                i, j = numbers[one][pair[0]], numbers[other][pair[1]]
+                # An entry off the diagonal stands for both of its sides.
+                weights *= np.where(same, np.where(i == j, 1.0, 0.5), np.where(i == j, 2.0, 1.0))
+                used = np.flatnonzero((weights != 0.0) & (i >= 0) & (j >= 0))
+                yield (
+                    np.minimum(i, j)[used],
+                    np.maximum(i, j)[used],
+                    weights[used],
+                    offset + chosen[used],
+                )
+            offset += len(first)
 
     def residual(self, gradient: Array) -> Array:
         """Return the derivative of the energy with respect to every degree of freedom.
@@ -216,13 +280,15 @@ class Assembler:
         return sparse.csr_array((data, pattern.indices, pattern.indptr), shape=pattern.shape)
 
 
-def shared_assembler(space: Space, free: Mask, derivatives: int = 5) -> Assembler:
+def shared_assembler(
+    space: Space, free: Mask, derivatives: int = 5, slopes: TiedSlopes | None = None
+) -> Assembler:
     """Return an assembler for some unknowns of a space that shares its sparsity with the others.
 
     The sparsity pattern and the ordering of its factorisation then serve all strains and all
     thicknesses that are solved on the space.
     """
-    return Assembler(space, free, derivatives, space.shared)
+    return Assembler(space, free, derivatives, space.shared, slopes)
 
 
 def _sorted_order(keys: Indices, count: int) -> Indices:

@@ -9,15 +9,18 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from wrinklestudy.fem.grid import Edge
+from wrinklestudy.fem.clamps import Clamps
+from wrinklestudy.fem.grid import Edge, Grid
+from wrinklestudy.fem.slopes import TiedSlopes
 from wrinklestudy.typing import Array, Mask
-from wrinklestudy.vocabulary import PARITIES
+from wrinklestudy.vocabulary import PARITIES, PARTS
 
 if TYPE_CHECKING:  # the metrics need mirrors, but no finite element space
     from wrinklestudy.fem.space import Space
 
 _VALUE_AND_SLOPE_ALONG_X = ("u", "u_x")
 _VALUE_AND_SLOPE_ALONG_Y = ("u", "u_y")
+PERFECT = Clamps()
 
 
 class HeldDofs(NamedTuple):
@@ -30,7 +33,10 @@ class HeldDofs(NamedTuple):
 
 @dataclass(frozen=True)
 class Clamp:
-    """Clamped ends: x, y, z and the slope z,x are held with all their derivatives along the edge.
+    """Clamped ends: x, y, z and the slope are held with all their derivatives along the edge.
+
+    The sheet leaves a clamp within the plane of the clamp: x,1 . n = 0 with its normal n. For
+    perfect clamps that is z,1 = 0; for others z,1 follows from x,1 and y,1, see `slopes`.
 
     Parameters
     ----------
@@ -38,10 +44,13 @@ class Clamp:
         Edges of the grid that are clamped; the force is measured at the last of them.
     force_factor : float
         Force on the whole end, divided by the force on the part of it within the grid.
+    clamps : Clamps
+        How the clamps are shifted and turned.
     """
 
     ends: tuple[Edge, ...] = ("right",)
     force_factor: float = 1.0
+    clamps: Clamps = PERFECT
 
     @property
     def held(self) -> tuple[HeldDofs, ...]:
@@ -54,10 +63,41 @@ class Clamp:
         )
 
     def position(self, space: "Space", strain: float) -> Array:
-        """Return x = (1 + eps) X, y = Y, z = 0 as a field (3, size); the clamps prescribe it."""
+        """Return a position (3, size) with the values that the clamps prescribe.
+
+        In between it is the ruled surface from end to end: x = (1 + eps) X, y = Y, z = 0 for
+        perfect clamps.
+        """
         position = space.coordinates.copy()
         position[0] *= 1.0 + strain
-        return position
+        if self.clamps.perfect:
+            return position
+        x, y, length = space.grid.x[:, None], space.grid.y, space.grid.aspect
+        left, right = (self.clamps.end(side, (1.0 + strain) * length) for side in (-1.0, 1.0))
+        share = x / length + 0.5
+        nodes = np.empty((3, 4, len(space.grid.x), len(space.grid.y)))
+        for component, node in enumerate(nodes):
+            first, last = (end.centre[component] for end in (left, right))
+            slant, twist = (end.line[component] for end in (left, right))
+            node[0] = first + slant * y + share * (last - first + (twist - slant) * y)
+            node[1] = (last - first + (twist - slant) * y) / length
+            node[2] = slant + share * (twist - slant)
+            node[3] = (twist - slant) / length
+        position = space.field_from_nodes(nodes)
+        slopes = self.slopes(space)
+        return position if slopes is None else slopes.complete(position)
+
+    def slopes(self, space: "Space") -> TiedSlopes | None:
+        """Return how z,1 and z,12 follow from those of x and y; None where they are zero."""
+        if self.clamps.planar:
+            return None
+        dofs, factors = [], []
+        for end in self.ends:
+            n = self.clamps.end(-1.0 if end == "left" else 1.0, 1.0).normal
+            tied = space.edge_dofs(end, ["u_x", "u_xy"])
+            dofs.append(tied)
+            factors.append(np.repeat([[-n[0] / n[2]], [-n[1] / n[2]]], len(tied), axis=1))
+        return TiedSlopes(np.concatenate(dofs), np.concatenate(factors, axis=1))
 
     def force(self, space: "Space", reactions: Array) -> float:
         """Return the force on the whole end.
@@ -85,10 +125,13 @@ class Symmetry:
         Which of x, y, z change sign under X -> -X; None without a mirror at X = 0.
     odd_across : (bool, bool, bool) or None
         The same under Y -> -Y; None without a mirror at Y = 0.
+    clamps : Clamps
+        How the clamps are shifted and turned; those of a sheet with mirrors are perfect.
     """
 
     odd_along: tuple[bool, bool, bool] | None = (True, False, False)
     odd_across: tuple[bool, bool, bool] | None = (False, True, True)
+    clamps: Clamps = PERFECT
 
     @classmethod
     def mirrored(cls, parity: str = "antisymmetric") -> "Symmetry":
@@ -108,6 +151,34 @@ class Symmetry:
             raise ValueError(f"parity = {parity!r}: must be one of {', '.join(PARITIES)}")
         return cls(odd_across=(False, True, parity == "antisymmetric"))
 
+    @classmethod
+    def of_part(
+        cls, part: str, parity: str = "antisymmetric", clamps: Clamps = PERFECT
+    ) -> "Symmetry":
+        """Return the symmetry with which a part of the sheet is solved.
+
+        Parameters
+        ----------
+        part : {'quarter', 'half', 'half-width', 'whole'}
+            With both mirrors; with that at X = 0 alone; with that at Y = 0 alone; with none.
+        parity : {'antisymmetric', 'symmetric'}
+            Of the deflection across Y = 0, where there is a mirror.
+        clamps : Clamps
+
+        Raises
+        ------
+        ValueError
+            If there is no such part or parity, or a mirror does not go with the clamps.
+        """
+        if part not in PARTS:
+            raise ValueError(f"symmetry = {part!r}: must be one of {', '.join(PARTS)}")
+        if part != "whole" and not clamps.perfect:
+            raise ValueError(f"symmetry = {part!r}: clamps that are off need 'whole'")
+        both = cls.mirrored(parity)
+        along = both.odd_along if part in ("quarter", "half") else None
+        across = both.odd_across if part in ("quarter", "half-width") else None
+        return cls(along, across, clamps)
+
     def broken(self, keeps_x: bool, keeps_y: bool) -> "Symmetry":
         """Return the symmetry of perturbations that keep or break each mirror of the state.
 
@@ -116,13 +187,15 @@ class Symmetry:
         return Symmetry(
             self.odd_along if keeps_x else _opposite(self.odd_along),
             self.odd_across if keeps_y else _opposite(self.odd_across),
+            self.clamps,
         )
 
     @property
     def clamp(self) -> Clamp:
         """The clamped ends of the part that is solved."""
         ends: tuple[Edge, ...] = ("left", "right") if self.odd_along is None else ("right",)
-        return Clamp(ends, force_factor=1.0 if self.odd_across is None else 2.0)
+        factor = 1.0 if self.odd_across is None else 2.0
+        return Clamp(ends, force_factor=factor, clamps=self.clamps)
 
     @property
     def held(self) -> tuple[HeldDofs, ...]:
@@ -142,6 +215,13 @@ class Symmetry:
         for component, edge, names in (*self.held, *self.clamp.held):
             free[component, space.edge_dofs(edge, names)] = False
         return free
+
+    def lines(self, quarter: Grid) -> Grid:
+        """Return the grid lines of the part that is solved from those of the quarter."""
+        return Grid(
+            _reflected(quarter.x) if self.odd_along is None else quarter.x,
+            _reflected(quarter.y) if self.odd_across is None else quarter.y,
+        )
 
     def unfold_along(self, lines: Array, nodes: Array) -> tuple[Array, Array]:
         """Return grid lines along X and nodes of the whole length from those of the part X >= 0.

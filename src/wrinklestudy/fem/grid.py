@@ -35,7 +35,7 @@ class Grid:
     @property
     def aspect(self) -> float:
         """L/W of the whole sheet."""
-        return 2.0 * float(self.x[-1])
+        return 2.0 * float(self.x[-1])  # from the centre to the right end, mirror or none
 
     @property
     def cells(self) -> tuple[int, int]:

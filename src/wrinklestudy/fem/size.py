@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from wrinklestudy.fem.grid import MeshSettings, cells
+from wrinklestudy.vocabulary import Part
 
 _DOFS = 3 * 4  # x, y, z with d/dX, d/dY, d2/dXdY at each node
 # Bytes per unknown at the peak of a wrinkled state, a + b ln(unknowns): the fill-in of a
@@ -24,7 +25,7 @@ class ProblemSize:
     Parameters
     ----------
     along, across : int
-        Cells of the quarter sheet.
+        Cells of the part of the sheet that is solved.
     """
 
     along: int
@@ -35,9 +36,15 @@ class ProblemSize:
         """Return the size for a sheet of L/W and of the t/W that its mesh is made for."""
         return cls(*cells(aspect, thickness, mesh))
 
+    def of_part(self, part: Part) -> "ProblemSize":
+        """Return the size for another part of the sheet, from that for a quarter."""
+        along = 2 if part in ("half-width", "whole") else 1
+        across = 2 if part in ("half", "whole") else 1
+        return ProblemSize(along * self.along, across * self.across)
+
     @property
     def unknowns(self) -> int:
-        """Degrees of freedom of the quarter sheet, those that are held included."""
+        """Degrees of freedom of that part, those that are held included."""
         return _DOFS * (self.along + 1) * (self.across + 1)
 
     def memory(self, wrinkled: bool = True) -> float:

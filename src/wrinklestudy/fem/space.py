@@ -12,6 +12,7 @@ from skfem.quadrature import get_quadrature
 
 from wrinklestudy.fem.element import CORNERS, ORDERS, ElementQuadHermite, reference_basis
 from wrinklestudy.fem.grid import Edge, Grid
+from wrinklestudy.fem.thickness import UNIFORM, ThicknessField
 from wrinklestudy.typing import Array, Indices
 
 # The derivatives of the plate energy, in the order used everywhere: x,1  x,2  x,11  x,22  x,12
@@ -30,10 +31,13 @@ class Space:
         Degree, in each direction, up to which the Gauss rule integrates polynomials exactly. Degree
         5 (3 x 3 points) keeps the order of convergence, and on the same mesh brings the amplitude
         of wrinkles nearer to its limit than degree 7, which is a little too stiff.
+    unevenness : ThicknessField
+        How the thickness of the sheet varies over it.
     """
 
     grid: Grid
     order: int = 5
+    unevenness: ThicknessField = UNIFORM
     # Sparsity of tangents by unknowns, see `assembly.shared_assembler`. Nothing in it may refer to
     # the space: then all memory of a sheet is free with the last reference to its space.
     shared: dict[bytes, Any] = field(default_factory=dict, init=False, repr=False)
@@ -91,6 +95,26 @@ class Space:
         """Area that each Gauss point stands for, shape (nq, ne)."""
         _, weights = self.quadrature
         return np.outer(weights, self.cell_sizes.prod(axis=0))
+
+    @cached_property
+    def points(self) -> Array:
+        """Reference coordinates of the Gauss points, (2, nq, ne)."""
+        local, _ = self.quadrature
+        corner = self.mesh.p[:, self.mesh.t[0]]
+        return corner[:, None, :] + local[:, :, None] * self.cell_sizes[:, None, :]
+
+    @cached_property
+    def relative_thickness(self) -> Array | float:
+        """t(x, y) over the mean thickness at the Gauss points, (nq, ne); 1 for a uniform sheet."""
+        if self.unevenness.uniform:
+            return 1.0
+        x, y = self.points
+        return self.unevenness.relative(x, y, self.grid.aspect)
+
+    @cached_property
+    def values(self) -> Array:
+        """Local functions at the Gauss points of a unit cell, (nq, 16)."""
+        return reference_basis(self.quadrature[0], (0, 0)).T
 
     def derivatives(self, field: Array, count: int = 5) -> Array:
         """Evaluate derivatives x,1 x,2 x,11 x,22 x,12 at the Gauss points.

@@ -47,14 +47,14 @@ class BendingLaw(ABC):
         return curved_surface(derivatives)
 
     @abstractmethod
-    def energy(self, law: Law, thickness: float, metric: Array, curvature: Array) -> Array:
+    def energy(self, law: Law, thickness: float | Array, metric: Array, curvature: Array) -> Array:
         """Return the energy per reference area in units of mu W, shape ``(...)``.
 
         Parameters
         ----------
         law : Law
             Dimensionless material law.
-        thickness : float
+        thickness : float or array
             t in units of W.
         metric, curvature : (3, ...) arrays
             a and b of the mid-surface.
@@ -62,13 +62,13 @@ class BendingLaw(ABC):
 
     @abstractmethod
     def derivatives(
-        self, law: Law, thickness: float, metric: Array, curvature: Array
+        self, law: Law, thickness: float | Array, metric: Array, curvature: Array
     ) -> SectionDerivatives:
         """Return the first and second derivatives of the energy with respect to a and b."""
 
 
 def _two_points_energy(
-    law: Law, thickness: float, metric: Array, curvature: Array, stretch: Array | None
+    law: Law, thickness: float | Array, metric: Array, curvature: Array, stretch: Array | None
 ) -> Array:
     """Return psi = t/2 [W(a - arm b) + W(a + arm b)], arm = t/sqrt(3) times any stretch."""
     shift = thickness / math.sqrt(3.0) * curvature
@@ -87,7 +87,7 @@ class _TwoPoints(NamedTuple):
     jump2: Array
 
 
-def _two_points(law: Law, thickness: float, metric: Array, shift: Array) -> _TwoPoints:
+def _two_points(law: Law, thickness: float | Array, metric: Array, shift: Array) -> _TwoPoints:
     weight = 0.5 * thickness
     upper, upper2 = law.derivatives(metric - shift)
     lower, lower2 = law.derivatives(metric + shift)
@@ -105,12 +105,12 @@ class FixedThicknessBending(BendingLaw):
     label = "fixed thickness"
     meaning = "the sheet bends with the thickness it has at rest"
 
-    def energy(self, law: Law, thickness: float, metric: Array, curvature: Array) -> Array:
+    def energy(self, law: Law, thickness: float | Array, metric: Array, curvature: Array) -> Array:
         """Return t/2 [W(g+) + W(g-)]."""
         return _two_points_energy(law, thickness, metric, curvature, None)
 
     def derivatives(
-        self, law: Law, thickness: float, metric: Array, curvature: Array
+        self, law: Law, thickness: float | Array, metric: Array, curvature: Array
     ) -> SectionDerivatives:
         """Return the first and second derivatives of the energy with respect to a and b."""
         arm = thickness / math.sqrt(3.0)  # 2 zeta of the upper Gauss point
@@ -129,13 +129,13 @@ class ThinningBending(BendingLaw):
     label = "thinning"
     meaning = "the sheet bends with the thickness to which stretching reduces it"
 
-    def energy(self, law: Law, thickness: float, metric: Array, curvature: Array) -> Array:
+    def energy(self, law: Law, thickness: float | Array, metric: Array, curvature: Array) -> Array:
         """Return t/2 [W(g+) + W(g-)]."""
         stretch = law.thickness_stretch(metric)[0]
         return _two_points_energy(law, thickness, metric, curvature, stretch)
 
     def derivatives(
-        self, law: Law, thickness: float, metric: Array, curvature: Array
+        self, law: Law, thickness: float | Array, metric: Array, curvature: Array
     ) -> SectionDerivatives:
         """Return the first and second derivatives of the energy with respect to a and b."""
         lever = thickness / math.sqrt(3.0)  # 2 zeta of the upper Gauss point
@@ -174,21 +174,21 @@ class FvkBending(BendingLaw):
         """Return the geometry with the fixed normal z."""
         return shallow_surface(derivatives)
 
-    def energy(self, law: Law, thickness: float, metric: Array, curvature: Array) -> Array:
+    def energy(self, law: Law, thickness: float | Array, metric: Array, curvature: Array) -> Array:
         """Return t W(a) + b.D b / 2."""
         flat: Array = thickness * law.energy(metric)
-        stiffness = _initial_stiffness(law, thickness)
-        return flat + 0.5 * np.einsum("i...,ij,j...->...", curvature, stiffness, curvature)
+        bent = np.einsum("i...,ij,j...->...", curvature, _initial_stiffness(law), curvature)
+        return flat + 0.5 * thickness**3 * bent
 
     def derivatives(
-        self, law: Law, thickness: float, metric: Array, curvature: Array
+        self, law: Law, thickness: float | Array, metric: Array, curvature: Array
     ) -> SectionDerivatives:
         """Return the first and second derivatives of the energy with respect to a and b."""
         stress, tangent = law.derivatives(metric)
-        stiffness = _initial_stiffness(law, thickness)
-        moment = np.tensordot(stiffness, curvature, axes=1)
+        stiffness = _initial_stiffness(law)
+        moment = thickness**3 * np.tensordot(stiffness, curvature, axes=1)
         points = (1,) * (metric.ndim - 1)
-        bending = np.broadcast_to(stiffness.reshape(3, 3, *points), tangent.shape)
+        bending = np.broadcast_to(thickness**3 * stiffness.reshape(3, 3, *points), tangent.shape)
         return SectionDerivatives(
             thickness * stress,
             moment,
@@ -198,11 +198,11 @@ class FvkBending(BendingLaw):
         )
 
 
-def _initial_stiffness(law: Law, thickness: float) -> Array:
-    """Return the constant stiffness E t^3 / 12 (1 - nu^2) = mu t^3 / 6 (1 - nu), (3, 3)."""
+def _initial_stiffness(law: Law) -> Array:
+    """Return the constant stiffness over t^3, E / 12 (1 - nu^2) = mu / 6 (1 - nu), (3, 3)."""
     nu = law.poisson
     stiffness = np.array([[1.0, nu, 0.0], [nu, 1.0, 0.0], [0.0, 0.0, 2.0 * (1.0 - nu)]])
-    return stiffness * thickness**3 / (6.0 * (1.0 - nu))
+    return stiffness / (6.0 * (1.0 - nu))
 
 
 # The registry: all bending laws by name, in the order in which they are offered; the default first.

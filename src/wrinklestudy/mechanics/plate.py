@@ -169,7 +169,9 @@ def _entry(
             out += section.force[2] if a != b else 2.0 * section.force[a]
 
 
-def deflection(law: Law, bending: str, derivatives: Array) -> tuple[Array, Array]:
+def deflection(
+    law: Law, bending: str, derivatives: Array, relative: Array | float = 1.0
+) -> tuple[Array, Array]:
     """Return the Hessians S and B for small deflections of a flat, stretched sheet.
 
     The energy of a deflection w on the flat state is t/2 w.S w + t^3/2 w.B w with S (stress) and B
@@ -184,6 +186,8 @@ def deflection(law: Law, bending: str, derivatives: Array) -> tuple[Array, Array
         The bending law, a name in `BENDING_LAWS`.
     derivatives : (5, 3, ...) array
         x,1 x,2 x,11 x,22 x,12 of the flat state.
+    relative : (...) array or float
+        Thickness of an uneven sheet over its mean t, which is then the t of the energy.
 
     Returns
     -------
@@ -205,4 +209,5 @@ def deflection(law: Law, bending: str, derivatives: Array) -> tuple[Array, Array
         rows[k, 2 + k] = 1.0
         rows[k, 0], rows[k, 1] = -surface.christoffel[0, k], -surface.christoffel[1, k]
     full = np.einsum("ka...,km...,mb...->ab...", rows, flat.bending, rows, optimize=True)
-    return stress, np.stack([full[a, b] for a, b in entries])
+    bent = np.stack([full[a, b] for a, b in entries])
+    return relative * stress, relative**3 * bent

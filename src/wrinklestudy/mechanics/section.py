@@ -22,8 +22,8 @@ class Section:
     ----------
     law : Law
         Dimensionless material law.
-    thickness : float
-        t in units of W.
+    thickness : float or array
+        t in units of W; an array gives it at each of the points.
     bending : str
         The bending law, a name in `BENDING_LAWS`.
 
@@ -34,7 +34,7 @@ class Section:
     """
 
     law: Law
-    thickness: float
+    thickness: float | Array
     bending: str = "thinning"
 
     def __post_init__(self) -> None:

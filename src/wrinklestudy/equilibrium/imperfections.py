@@ -1,0 +1,132 @@
+"""What an experiment's sheet is like that a perfect one is not, and which symmetry that leaves."""
+
+from dataclasses import dataclass
+from itertools import product
+from typing import Literal, NamedTuple
+
+from wrinklestudy.fem.boundary import PERFECT, Symmetry
+from wrinklestudy.fem.clamps import Clamps
+from wrinklestudy.fem.thickness import UNIFORM, ThicknessField
+from wrinklestudy.vocabulary import WEIGHT, Parity, Part
+
+STANDARD_GRAVITY = 9.80665  # m/s^2
+
+
+@dataclass(frozen=True)
+class Imperfections:
+    """Clamps that are off, a thickness that varies, and the weight of the sheet.
+
+    Parameters
+    ----------
+    clamps : Clamps
+    thickness : ThicknessField
+    weight : float
+        rho g W/mu of a sheet that is stretched level; see `self_weight`.
+
+    Raises
+    ------
+    ValueError
+        If the weight is not allowed; one line.
+    """
+
+    clamps: Clamps = PERFECT
+    thickness: ThicknessField = UNIFORM
+    weight: float = 0.0
+
+    def __post_init__(self) -> None:
+        if self.weight not in WEIGHT:
+            raise ValueError(f"weight = {self.weight:g}: must be {WEIGHT}")
+
+    @property
+    def none(self) -> bool:
+        """Whether the sheet is perfect."""
+        return self == Imperfections()
+
+    @property
+    def stays_flat(self) -> bool:
+        """Whether nothing lifts the sheet out of its plane, so that z -> -z is a symmetry."""
+        return self.clamps.planar and self.weight == 0.0
+
+    def keep(self, signs: tuple[int, int, int], aspect: float) -> bool:
+        """Return whether the sheet is the same after changes of sign of x, y and z."""
+        x, y, z = signs
+        level = self.weight == 0.0 or z > 0
+        return level and self.clamps.keep(signs) and self.thickness.keeps(x < 0, y < 0, aspect)
+
+    def check_part(self, part: Part, aspect: float) -> None:
+        """Raise a ValueError of one line if a part of the sheet does not tell the whole."""
+        Symmetry.of_part(part, clamps=self.clamps)
+        mirrors = {
+            "quarter": ((-1, 1, 1), (1, -1, 1)),
+            "half": ((-1, 1, 1),),
+            "half-width": ((1, -1, 1),),
+            "whole": (),
+        }[part]
+        if self.weight != 0.0 and part in ("quarter", "half-width"):
+            raise ValueError(
+                f"symmetry = {part!r}: the weight of the sheet needs 'half' or 'whole'"
+            )
+        for x, y, z in mirrors:
+            if not self.keep((x, y, z), aspect):
+                line = "x" if x < 0 else "y"
+                raise ValueError(
+                    f"symmetry = {part!r}: the thickness is not the same on both sides of "
+                    f"{line} = 0; symmetry must be 'whole'"
+                )
+
+
+def self_weight(density: float, width: float, shear_modulus: float, gravity: float) -> float:
+    """Return rho g W/mu from kg/m^3, m, Pa and m/s^2."""
+    return density * gravity * width / shear_modulus
+
+
+class Bifurcation(NamedTuple):
+    """How wrinkles appear.
+
+    Parameters
+    ----------
+    kind : {'sharp', 'rounded'}
+        Whether wrinkles break a symmetry of the sheet, so that they appear at a strain of their
+        own; otherwise they grow out of what the sheet does before.
+    reason : str
+        Which symmetry, in words.
+    """
+
+    kind: Literal["sharp", "rounded"]
+    reason: str
+
+
+_WORDS = {
+    (1, 1, -1): "z -> -z",
+    (-1, 1, 1): "x -> -x",
+    (1, -1, 1): "y -> -y",
+    (-1, -1, 1): "of a turn by pi about z",
+    (-1, 1, -1): "of a turn by pi about y",
+    (1, -1, -1): "of a turn by pi about x",
+    (-1, -1, -1): "of an inversion at the centre",
+}
+
+
+def bifurcation(imperfections: Imperfections, aspect: float, parity: Parity) -> Bifurcation:
+    """Return whether the wrinkles of a sheet appear at a sharp strain.
+
+    They do where a symmetry of the sheet turns the wrinkles upside down: those of a perfect sheet
+    are even along the pull, and odd or even across it. Where z -> -z is one, both are.
+
+    Parameters
+    ----------
+    imperfections : Imperfections
+    aspect : float
+        L/W.
+    parity : {'antisymmetric', 'symmetric'}
+        Of the pattern at the centre.
+    """
+    across = -1 if parity == "antisymmetric" else 1
+    signs = sorted(product((1, -1), repeat=3), key=lambda s: (s != (1, 1, -1), s.count(-1)))
+    for x, y, z in signs:
+        turned = z * (across if y < 0 else 1)
+        if turned < 0 and imperfections.keep((x, y, z), aspect):
+            return Bifurcation(
+                "sharp", f"the sheet has the symmetry {_WORDS[x, y, z]}, wrinkles do not"
+            )
+    return Bifurcation("rounded", "the sheet has no symmetry that the wrinkles break")

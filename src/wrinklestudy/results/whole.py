@@ -1,0 +1,283 @@
+"""What a sheet without mirrors was found to be at one strain."""
+
+from dataclasses import dataclass, replace
+from time import perf_counter
+
+import numpy as np
+
+from wrinklestudy.equilibrium import newton
+from wrinklestudy.equilibrium.imperfections import Imperfections, bifurcation
+from wrinklestudy.equilibrium.whole import WholeEquilibrium, WholeSettings, solve
+from wrinklestudy.equilibrium.wrinkled import WrinkleSettings
+from wrinklestudy.fem.space import Space
+from wrinklestudy.mechanics.laws import Material
+from wrinklestudy.metrics.interpolant import DeformedSheet
+from wrinklestudy.metrics.measure import measure_sheet
+from wrinklestudy.metrics.phase_band import PhaseBand, phase_band
+from wrinklestudy.results.rows import Row, described
+from wrinklestudy.results.solved import State
+from wrinklestudy.typing import Array
+from wrinklestudy.vocabulary import Parity, Part
+
+WHOLE_STATUSES = ("wrinkled", "unwrinkled", "flat", "not-converged")
+
+
+@dataclass(frozen=True)
+class WholeRow(Row):
+    """A state of a half or a whole sheet."""
+
+    strain: float = described("eps = (L' - L)/L of the middles of the clamps", shown=True)
+    status: str = described(
+        "wrinkled, unwrinkled (not flat, but too thick to wrinkle), flat or not-converged",
+        allowed=WHOLE_STATUSES,
+        shown=True,
+    )
+    symmetry: str = described("part of the sheet that was solved", shown=True)
+    parity: str = described(
+        "of the pattern at the centre: antisymmetric (z = 0) or symmetric (a crest)", shown=True
+    )
+    amplitude_over_thickness: float | None = described(
+        "A/t, largest |z| on x = 0; 0 if flat", measured=True, shown=True
+    )
+    amplitude_low: float | None = described(
+        "least A/t over the phase of the pattern, beyond the unwrinkled sheet",
+        measured=True,
+        shown=True,
+    )
+    amplitude_high: float | None = described(
+        "largest A/t over the phase of the pattern, beyond the unwrinkled sheet",
+        measured=True,
+        shown=True,
+    )
+    envelope_amplitude: float | None = described(
+        "largest value over t of the envelope of the wrinkles on x = 0, at any phase",
+        measured=True,
+        shown=True,
+    )
+    wavelength_over_width: float | None = described(
+        "lambda/W, distance of the two central peaks of the same sign", measured=True, shown=True
+    )
+    arc_width_over_width: float | None = described(
+        "W_act/W, arc length of x = 0", measured=True, shown=True
+    )
+    projected_width_over_width: float | None = described(
+        "W_proj/W, distance of the free edges on x = 0", measured=True, shown=True
+    )
+    phi_squared: float | None = described(
+        "Phi^2 = (W_act - W_proj)/W_proj over the full width", measured=True, shown=True
+    )
+    tilt: float | None = described(
+        "angle of the crests with the pull at the centre, in radians", measured=True, shown=True
+    )
+    nominal_stress_pa: float | None = described(
+        "clamp force over undeformed cross-section", "Pa", of_equilibrium=True, shown=True
+    )
+    critical_thickness: float | None = described(
+        "tau_1/W: the flat sheet is unstable if t is less", shown=True
+    )
+    bifurcation: str = described(
+        "sharp if the wrinkles break a symmetry of the sheet, else rounded",
+        allowed=("sharp", "rounded"),
+        shown=True,
+    )
+    bifurcation_reason: str = described("which symmetry they break", shown=True)
+    pin_reaction: float | None = described(
+        "what the pin against sliding carries, over its stiffness and t",
+        of_equilibrium=True,
+        shown=True,
+    )
+    softest_eigenvalue: float | None = described(
+        "smallest eigenvalue without the pin, in units of the bending stiffness",
+        of_equilibrium=True,
+        shown=True,
+    )
+    newton_iterations: int = described("Newton iterations of the solve", shown=True)
+    residual: float | None = described(
+        "last Newton decrement of the solve, as a fraction of the energy", shown=True
+    )
+    reason: str = described("why it did not converge; empty if it did", shown=True)
+
+
+@dataclass(frozen=True)
+class WholeState(State):
+    """What `Sheet.solve` found of a half or a whole sheet at one strain.
+
+    Parameters
+    ----------
+    strain, measures, seconds
+        See `State`.
+    equilibrium : WholeEquilibrium or None
+        None where there is no flat state to start from.
+    part : {'quarter', 'half', 'half-width', 'whole'}
+    parity : {'antisymmetric', 'symmetric'}
+        Of the pattern at the centre.
+    material : Material
+    imperfections : Imperfections
+    reason : str
+        Why there is no equilibrium; empty if there is one.
+    """
+
+    # Other numbers belong to a sheet without mirrors; what is measured on its shape is the same.
+    equilibrium: WholeEquilibrium | None  # type: ignore[assignment]
+    part: Part
+    parity: Parity
+    material: Material
+    imperfections: Imperfections
+    reason: str
+
+    @property
+    def status(self) -> str:
+        """'wrinkled', 'unwrinkled', 'flat' or 'not-converged'."""
+        return "not-converged" if self.equilibrium is None else self.equilibrium.status
+
+    @property
+    def shape(self) -> DeformedSheet:
+        """The deformed sheet.
+
+        Raises
+        ------
+        ValueError
+            If there is no equilibrium to show.
+        """
+        solved = self.equilibrium
+        if solved is None or solved.status == "not-converged":
+            raise ValueError(f"state at strain {self.strain:g}: {self.status}, has no shape")
+        return _shape(solved, solved.position)
+
+    @property
+    def band(self) -> PhaseBand | None:
+        """The amplitude over all phases of the pattern, in units of W; None where it is unknown."""
+        solved = self.equilibrium
+        if solved is None or solved.status in ("not-converged", "unwrinkled"):
+            return None
+        if solved.status == "flat":
+            return PhaseBand(0.0, 0.0, 0.0)
+        other = solved.partner
+        if other is None or other.status != "wrinkled":
+            return None
+        first, second = (_wrinkles(state) for state in (solved, other))
+        return phase_band(first.grid, first.nodes[2], second.nodes[2])
+
+    def row(self) -> WholeRow:  # type: ignore[override]
+        """Return the state as a row of numbers."""
+        solved, aspect = self.equilibrium, 0.0
+        if solved is None:
+            return _unknown(self)
+        aspect = solved.flat.space.grid.aspect
+        how = bifurcation(self.imperfections, aspect, self.parity)
+        row = replace(
+            _unknown(self),
+            status=solved.status,
+            nominal_stress_pa=solved.nominal_stress * self.material.shear_modulus,
+            critical_thickness=solved.critical_thickness,
+            bifurcation=how.kind,
+            bifurcation_reason=how.reason,
+            pin_reaction=_or_none(solved.pin_reaction),
+            softest_eigenvalue=_or_none(solved.softest),
+            newton_iterations=newton.count(solved.history),
+            residual=solved.residual,
+            reason=solved.reason,
+        )
+        measures, band, t = self.measures, self.band, solved.thickness
+        if measures is None:
+            return replace(row, nominal_stress_pa=None)
+        row = replace(
+            row,
+            amplitude_over_thickness=measures.amplitude / t,
+            wavelength_over_width=_or_none(measures.wavelength),
+            arc_width_over_width=measures.arc_width,
+            projected_width_over_width=measures.projected_width,
+            phi_squared=measures.phi_squared,
+            tilt=_tilt(self.shape, self.parity) if solved.status == "wrinkled" else None,
+        )
+        if band is None:
+            return row
+        low, high, top = (value / t for value in band)
+        return replace(row, amplitude_low=low, amplitude_high=high, envelope_amplitude=top)
+
+
+def solve_whole(
+    space: Space,
+    material: Material,
+    strain: float,
+    thickness: float,
+    settings: WholeSettings,
+    part: Part,
+    imperfections: Imperfections,
+    options: WrinkleSettings | None = None,
+    observer: newton.Observer | None = None,
+) -> WholeState:
+    """Return the state of a half or a whole sheet, one without an equilibrium included.
+
+    See `equilibrium.whole.solve` for the parameters.
+    """
+    start, solved, reason = perf_counter(), None, ""
+    try:
+        solved = solve(space, material.law, strain, thickness, settings, options, observer)
+    except ArithmeticError as error:
+        reason = str(error)
+    seconds = perf_counter() - start
+    measures = None
+    if solved is not None and solved.status != "not-converged":
+        measures = measure_sheet(_shape(solved, solved.position))
+    parity = settings.parity
+    return WholeState(
+        strain, solved, measures, seconds, part, parity, material, imperfections, reason
+    )
+
+
+def _unknown(state: WholeState) -> WholeRow:
+    how = bifurcation(state.imperfections, 1.0, state.parity)
+    return WholeRow(
+        strain=state.strain,
+        status="not-converged",
+        symmetry=state.part,
+        parity=state.parity,
+        amplitude_over_thickness=None,
+        amplitude_low=None,
+        amplitude_high=None,
+        envelope_amplitude=None,
+        wavelength_over_width=None,
+        arc_width_over_width=None,
+        projected_width_over_width=None,
+        phi_squared=None,
+        tilt=None,
+        nominal_stress_pa=None,
+        critical_thickness=None,
+        bifurcation=how.kind,
+        bifurcation_reason=how.reason,
+        pin_reaction=None,
+        softest_eigenvalue=None,
+        newton_iterations=0,
+        residual=None,
+        reason=state.reason,
+    )
+
+
+def _shape(solved: WholeEquilibrium, position: Array) -> DeformedSheet:
+    space = solved.flat.space
+    return DeformedSheet(space.grid, space.nodes_from_field(position), solved.symmetry)
+
+
+def _wrinkles(solved: WholeEquilibrium) -> DeformedSheet:
+    """Return the whole sheet with its deflection beyond that of the unwrinkled one."""
+    position = solved.position.copy()
+    position[2] = solved.wrinkles
+    return _shape(solved, position).unfolded()
+
+
+def _tilt(sheet: DeformedSheet, parity: str) -> float:
+    """Return the angle of the crest, or of the line of zeros, through the centre with the pull.
+
+    On a line z = const. dy/dx = -z,x/z,y, and on a crest z,y = 0 it is -z,xy/z,yy.
+    """
+    whole, centre = sheet.unfolded(), np.array([0.0])
+    orders = ((1, 0), (0, 1)) if parity == "antisymmetric" else ((1, 1), (0, 2))
+    along, across = (float(whole.evaluate(centre, centre, *o)[2, 0, 0]) for o in orders)
+    place = [whole.evaluate(centre, centre, *order)[:2, 0, 0] for order in ((1, 0), (0, 1))]
+    direction = place[0] - along / across * place[1] if across else place[0]
+    return float(np.arctan2(direction[1], direction[0]))
+
+
+def _or_none(value: float) -> float | None:
+    return None if value != value else float(value)
