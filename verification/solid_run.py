@@ -6,7 +6,7 @@ from importlib.metadata import version
 
 import pandas as pd
 
-from verification.groups.solid import SHEETS, estimate
+from verification.tools.solid_estimates import PAPER, estimate
 from verification.tools.solid_table import (
     ENDS,
     MATERIALS,
@@ -27,7 +27,7 @@ _PACKAGES = ("felupe", "numpy", "scipy")
 
 def write_best(ends: pd.DataFrame, path: AnyPath) -> None:
     """Write birth and decay of the paper's sheet, extrapolated, where the study reads them."""
-    material, thickness = SHEETS[0]
+    material, thickness = PAPER
     law = MATERIALS[material].law.physical(MATERIALS[material].shear_modulus)
     newest = ends.sort_values("date").iloc[-1]
     with (
@@ -37,7 +37,7 @@ def write_best(ends: pd.DataFrame, path: AnyPath) -> None:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(COLUMNS)
         for end in ("birth", "decay"):
-            best = estimate(ends, end, SHEETS[0])
+            best = estimate(ends, end, PAPER)
             numbers = (best.strain, best.bar, 2.0, thickness, law["c10"], law["c01"])
             texts = (f"{number:.6g}" for number in numbers)
             writer.writerow((end, *texts, newest["date"], newest["felupe"]))
