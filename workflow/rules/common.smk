@@ -4,13 +4,14 @@ import json
 import os
 import re
 import sys
+from base64 import urlsafe_b64encode
 from dataclasses import astuple
 from pathlib import Path
 
 from wrinklestudy.results.analyses import input_name
 from wrinklestudy.results.cases import NAME_PATTERN, VALUE_PATTERN, Case, StudySheet, parse_value
 from wrinklestudy.results.paths import STAGES, Paths, filled
-from wrinklestudy.study import figure_contents, plan, targets
+from wrinklestudy.study import figure_contents, holding, plan, stored, targets
 from wrinklestudy.study.config import ConfigError, load_config
 from wrinklestudy.study.digest import code_digest
 from wrinklestudy.study.loading import claim_modules, sources
@@ -35,6 +36,24 @@ PATHS = Paths(STUDY.folders.results, STUDY.folders.figures)
 for word in sys.argv[1:]:
     if fault := targets.refusal(word, STUDY, PATHS):
         sys.exit(fault)
+
+
+# Options with which Snakemake tells something and makes no file.
+ASKS = re.compile(
+    r"-[kpqrfF]*n\w*|-[DSVhlv]|--(dry-?run|lint|report|(detailed-)?summary|list|dag|d3dag|rulegraph"
+    r"|filegraph|unlock|archive|delete|cleanup|conda|container|drop-metadata|generate|export|print-c"
+    r"|help|version).*"
+)
+RUNS = workflow.is_main_process and not any(map(ASKS.fullmatch, sys.argv[1:]))
+if RUNS:
+    try:
+        HELD = holding.hold(PATHS.results)  # as long as this process lives
+    except holding.FolderHeldError as error:
+        sys.exit(str(error))
+    if holding.remove_left_locks(
+        Path(".snakemake"), [f"{PATHS.results}/{stage}" for stage in STAGES]
+    ):
+        print(f"{PATHS.results}: the last run was killed; this one goes on", file=sys.stderr)
 
 
 # {material} is a material or, except in files of the stage material, a variant of one
@@ -170,6 +189,35 @@ def of_figure(content):
     return lambda wildcards: content(STUDY, CATALOGUE.figure(wildcards.figure))
 
 
+def code_of_file(stage, file):
+    """Digest of the code that makes a file."""
+    if stage == "figures":
+        return code_of_figure(Path(file).stem)
+    return code_of_claims() if stage == "claims" else code(stage)
+
+
+def remembered(file):
+    """Whether Snakemake knows how a file was made, so that it runs again what has changed."""
+    name = urlsafe_b64encode(file.encode()).decode()
+    return len(name) > 200 or Path(".snakemake", "metadata", name).exists()
+
+
+# Files that are there and must not be used count as lost.
+UNSOUND = []
+if workflow.is_main_process:
+    UNSOUND = stored.unsound_files(STUDY, PATHS, code_of_file, remembered)
+    for line in stored.report(UNSOUND, "made again" if RUNS else "a run makes it again"):
+        print(line, file=sys.stderr)
+    for unsound in UNSOUND if RUNS else ():
+        Path(unsound.file).unlink()
+        Path(unsound.record).unlink(missing_ok=True)
+
+
+def is_there(file):
+    """Whether a file is there and may be used."""
+    return Path(file).exists() and file not in {unsound.file for unsound in UNSOUND}
+
+
 def study_digest():
     """Digest of all that the results depend on: config, code, measured data."""
     codes = [code(stage) for stage in STAGES]
@@ -190,10 +238,10 @@ def all_targets(_wildcards):
     Snakemake would not miss a lost file as long as nothing needs it and, once it makes it again,
     would run everything that comes after it.
     """
-    gate, wanted = Path(PATHS.pattern("gate")), plan.wanted_files(STUDY, PATHS)
-    if gate.exists() and json.loads(gate.read_text()).get("study") == study_digest():
+    gate, wanted = PATHS.pattern("gate"), plan.wanted_files(STUDY, PATHS)
+    if is_there(gate) and json.loads(Path(gate).read_text()).get("study") == study_digest():
         files = [*plan.files_on_the_way(STUDY, PATHS), *wanted]
-        lost = [file for file in files if not Path(file).exists()]
+        lost = [file for file in files if not is_there(file)]
         if lost:
             return lost
-    return [*wanted, gate.as_posix()]
+    return [*wanted, gate]

@@ -18,6 +18,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from wrinklestudy.files import origin
+from wrinklestudy.files.records import check
 from wrinklestudy.typing import AnyPath
 
 
@@ -118,10 +120,14 @@ def read_json(path: AnyPath) -> Any:
     Raises
     ------
     ValueError
-        If the file is not JSON; the message names file and line.
+        If the file is not JSON; the message names file and line. `DamagedFileError` if it is not
+        what its record says.
     """
+    check(path)
     try:
         return json.loads(Path(path).read_text(encoding="utf-8"))
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{os.fspath(path)}: is not JSON: {error.reason}") from None
     except json.JSONDecodeError as error:
         message = f"{os.fspath(path)}: line {error.lineno} is not JSON: {error.msg}"
         raise ValueError(message) from None
@@ -155,6 +161,8 @@ def write_h5(
     with atomic_path(output) as path, h5py.File(path, "w") as file:
         for name in sorted(attrs):
             file.attrs[name] = _attribute(name, attrs[name])
+        if origin.current():
+            file.attrs[origin.KEY] = origin.current()
         for name in sorted(datasets):
             file.create_dataset(name, data=datasets[name], track_times=False)
 
@@ -195,7 +203,7 @@ def read_h5(
         Arrays or strings by their full name (``group/name``).
     attrs : dict
         Attributes as plain Python scalars, strings and None; arrays as numpy arrays, lists of
-        strings as lists.
+        strings as lists. What `origin` put there is left out.
 
     Raises
     ------
@@ -203,11 +211,13 @@ def read_h5(
         If there is no such file.
     ValueError
         If the file is not HDF5 or a dataset is missing; the message names the file.
+        `DamagedFileError` if it is not what its record says.
     """
     import h5py
 
     if not Path(path).exists():
         raise FileNotFoundError(f"{os.fspath(path)}: no such file")
+    check(path)
     try:
         file = h5py.File(path, "r")
     except OSError as error:
@@ -218,7 +228,7 @@ def read_h5(
         if missing:
             raise ValueError(f"{os.fspath(path)}: has no dataset {missing[0]!r}")
         datasets = {name: _dataset(file[name]) for name in wanted}
-        attrs = {name: _plain_attribute(value) for name, value in file.attrs.items()}
+        attrs = {name: _plain_attribute(value) for name, value in file.attrs.items() if name != origin.KEY}
     return datasets, attrs
 
 
