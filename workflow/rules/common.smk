@@ -1,3 +1,4 @@
+import errno
 import functools
 import hashlib
 import json
@@ -206,7 +207,7 @@ def remembered(file):
 UNSOUND = []
 if workflow.is_main_process:
     UNSOUND = stored.unsound_files(STUDY, PATHS, code_of_file, remembered)
-    for line in stored.report(UNSOUND, "made again" if RUNS else "a run makes it again"):
+    for line in stored.report(UNSOUND, "removed, to be made again" if RUNS else "a run removes it"):
         print(line, file=sys.stderr)
     for unsound in UNSOUND if RUNS else ():
         Path(unsound.file).unlink()
@@ -216,6 +217,16 @@ if workflow.is_main_process:
 def is_there(file):
     """Whether a file is there and may be used."""
     return Path(file).exists() and file not in {unsound.file for unsound in UNSOUND}
+
+
+def reason_of_stop(said):
+    """One line about a run that failed: what to do, from what Snakemake said."""
+    why = "see above"
+    if "Signals.SIGKILL" in said:
+        why = "a job was killed, as the system does when memory is short (fewer --cores need less)"
+    elif os.strerror(errno.ENOSPC) in said:
+        why = "the disk is full"
+    return f"{PATHS.results}: stopped, {why}; finished files are kept, the same command goes on"
 
 
 def study_digest():
@@ -239,9 +250,9 @@ def all_targets(_wildcards):
     would run everything that comes after it.
     """
     gate, wanted = PATHS.pattern("gate"), plan.wanted_files(STUDY, PATHS)
+    on_the_way = plan.files_on_the_way(STUDY, PATHS)
     if is_there(gate) and json.loads(Path(gate).read_text()).get("study") == study_digest():
-        files = [*plan.files_on_the_way(STUDY, PATHS), *wanted]
-        lost = [file for file in files if not is_there(file)]
+        lost = [file for file in (*on_the_way, *wanted) if not is_there(file)]
         if lost:
             return lost
-    return [*wanted, gate]
+    return [*wanted, gate, *{unsound.file for unsound in UNSOUND}.intersection(on_the_way)]

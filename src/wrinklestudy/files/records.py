@@ -1,7 +1,7 @@
 """Records: what a file of a study was made from, and its checksum.
 
-A folder of results has a folder `FOLDER` with a record for each file. The record of
-``results/planar/latex/strain0.1.h5`` is ``results/record/planar/latex/strain0.1.h5.json``: the
+The folders of results and of figures have a folder `FOLDER` with a record for each file. The record
+of ``results/planar/latex/strain0.1.h5`` is ``results/.record/planar/latex/strain0.1.h5.json``: the
 tables themselves stay plain CSV. Every reader of the files between the stages calls `check`
 first, so that a damaged file is found before a number is taken from it.
 """
@@ -16,7 +16,7 @@ from typing import Any
 
 from wrinklestudy.typing import AnyPath
 
-FOLDER = "record"
+FOLDER = ".record"
 _AGAIN = "run the study again, it is then made anew"
 
 
@@ -60,7 +60,7 @@ def file_digest(path: AnyPath) -> str:
 def record_of(path: AnyPath) -> Path | None:
     """Return the record of a file; None if no folder above the file has one."""
     file = Path(path)
-    for root in list(file.parents)[1:]:  # a file in the folder of results itself has none
+    for root in file.parents:
         record = root / FOLDER / file.relative_to(root).with_name(f"{file.name}.json")
         if record.is_file():
             return record

@@ -228,7 +228,11 @@ def read_h5(
         if missing:
             raise ValueError(f"{os.fspath(path)}: has no dataset {missing[0]!r}")
         datasets = {name: _dataset(file[name]) for name in wanted}
-        attrs = {name: _plain_attribute(value) for name, value in file.attrs.items() if name != origin.KEY}
+        attrs = {
+            name: _plain_attribute(value)
+            for name, value in file.attrs.items()
+            if name != origin.KEY
+        }
     return datasets, attrs
 
 

@@ -74,9 +74,9 @@ class Paths:
     ----------
     results : str
         Folder of the results, with a folder for each stage, one for logs, one for run times and one
-        for records of how each file was made.
+        for the record of each file (`files.records`).
     figures : str
-        Folder of the figures.
+        Folder of the figures, and of their records.
     """
 
     results: str = "results"
@@ -100,12 +100,10 @@ class Paths:
 
     def record(self, path: str) -> str:
         """Return the path of the record of a file of a stage (`files.records`), or of a pattern."""
-        file, results = PurePosixPath(path), PurePosixPath(self.results)
-        if file.is_relative_to(results):
-            below = file.relative_to(results)
-        else:
-            below = PurePosixPath("figures", file.relative_to(self.figures))
-        return (results / records.FOLDER / below.with_name(f"{file.name}.json")).as_posix()
+        file = PurePosixPath(path)
+        root = self.results if file.is_relative_to(self.results) else self.figures
+        below = file.relative_to(root).with_name(f"{file.name}.json")
+        return PurePosixPath(root, records.FOLDER, below).as_posix()
 
     def records(self, stage: str) -> list[str]:
         """Return the paths of the records of all outputs of a stage, with their wildcards."""

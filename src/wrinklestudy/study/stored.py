@@ -6,7 +6,7 @@ it had been lost.
 """
 
 from collections.abc import Callable, Iterator
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from typing import NamedTuple
 
 from wrinklestudy.files.records import FOLDER, DamagedFileError, Record, damage, read_record
@@ -81,15 +81,13 @@ def _outdated(record: Record, code: str, found: dict[str, Unsound]) -> str | Non
 
 def _recorded(paths: Paths) -> Iterator[tuple[str, str]]:
     """Yield each file that is there and has a record, with the path of the record."""
-    root = PurePosixPath(paths.results, FOLDER)
-    for record in sorted(Path(root).rglob("*.json")):
-        below = PurePosixPath(record.as_posix()).relative_to(root)
-        file = PurePosixPath(paths.results, below)
-        if below.parts[0] == "figures":
-            file = PurePosixPath(paths.figures, *below.parts[1:])
-        text = file.with_name(file.name.removesuffix(".json")).as_posix()
-        if Path(text).is_file():
-            yield text, record.as_posix()
+    for root in (paths.results, paths.figures):
+        folder = Path(root, FOLDER)
+        for record in sorted(folder.rglob("*.json")):
+            below = record.relative_to(folder)
+            file = Path(root, below.with_name(below.name.removesuffix(".json")))
+            if file.is_file():
+                yield file.as_posix(), record.as_posix()
 
 
 def report(unsound: list[Unsound], what_happens: str) -> list[str]:

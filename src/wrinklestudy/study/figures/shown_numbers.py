@@ -85,7 +85,8 @@ def _colour(artist: Artist) -> str:
 def write_numbers(figure: Figure, path: AnyPath) -> None:
     """Write what a figure shows as CSV, whole or not at all.
 
-    Comment lines say where the figure comes from and name the axes of each panel. The columns are panel, kind, series, x, y, value.
+    Comment lines say where the figure comes from and name the axes of each panel. The columns are
+    panel, kind, series, x, y, value.
     """
     with atomic_path(path) as temporary, open(temporary, "w", encoding="utf-8", newline="") as file:
         file.write(comment_line())
