@@ -11,14 +11,13 @@ BIN := .venv/bin
 READY := $(BIN)/.ready
 LOCK := requirements/lock.txt
 PIP := $(BIN)/python -m pip --disable-pip-version-check
-# a lock that a killed run left goes first; that of a live run stops make
-SNAKEMAKE := $(BIN)/python workflow/unlock.py && $(BIN)/snakemake --cores $(CORES) --quiet host rules
+SNAKEMAKE := $(BIN)/snakemake --cores $(CORES) --quiet host rules
 
 # jobs and tests run side by side, each on one thread
 ONE_THREAD := OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 .DEFAULT_GOAL := help
-.PHONY: help env figures quick beyond report explorer film docs test verify verify-solid bench lint schema lock
+.PHONY: help env figures quick beyond report explorer film docs test test-kill verify verify-solid bench lint schema lock
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1	/p' $(MAKEFILE_LIST)
@@ -64,6 +63,10 @@ docs: $(READY) ## build the site from docs/, with the figures that are there: si
 
 test: $(READY) ## run the tests, with the quick study as one of them
 	$(ONE_THREAD) $(BIN)/python -m pytest --numprocesses auto --dist loadgroup --no-loadscope-reorder
+
+test-kill: $(READY) ## kill runs of a small study a hundred times at random moments (ten minutes)
+	$(ONE_THREAD) KILLS=100 KILL_SEED=$$(date +%j) $(BIN)/python -m pytest -p no:xdist --override-ini addopts= \
+		--import-mode=importlib tests/workflow/test_kills.py
 
 verify: $(READY) ## compute the evidence that the numbers are right: docs/verification.md
 	$(SNAKEMAKE) --snakefile verification/Snakefile

@@ -39,4 +39,4 @@ onstart:
 
 # After all that Snakemake says: what it means.
 onerror:
-    print(reason_of_stop(Path(log).read_text(errors="replace")), file=sys.stderr)
+    print(reason_of_stop(log), file=sys.stderr)

@@ -1,9 +1,9 @@
-import errno
 import functools
 import hashlib
 import json
 import os
 import re
+import shutil
 import sys
 from base64 import urlsafe_b64encode
 from dataclasses import astuple
@@ -39,22 +39,9 @@ for word in sys.argv[1:]:
         sys.exit(fault)
 
 
-# Options with which Snakemake tells something and makes no file.
-ASKS = re.compile(
-    r"-[kpqrfF]*n\w*|-[DSVhlv]|--(dry-?run|lint|report|(detailed-)?summary|list|dag|d3dag|rulegraph"
-    r"|filegraph|unlock|archive|delete|cleanup|conda|container|drop-metadata|generate|export|print-c"
-    r"|help|version).*"
-)
-RUNS = workflow.is_main_process and not any(map(ASKS.fullmatch, sys.argv[1:]))
+RUNS = workflow.is_main_process and holding.makes_files(sys.argv[1:])
 if RUNS:
-    try:
-        HELD = holding.hold(PATHS.results)  # as long as this process lives
-    except holding.FolderHeldError as error:
-        sys.exit(str(error))
-    if holding.remove_left_locks(
-        Path(".snakemake"), [f"{PATHS.results}/{stage}" for stage in STAGES]
-    ):
-        print(f"{PATHS.results}: the last run was killed; this one goes on", file=sys.stderr)
+    HELD = holding.take_over(PATHS.results, [f"{PATHS.results}/{stage}" for stage in STAGES])
 
 
 # {material} is a material or, except in files of the stage material, a variant of one
@@ -219,13 +206,14 @@ def is_there(file):
     return Path(file).exists() and file not in {unsound.file for unsound in UNSOUND}
 
 
-def reason_of_stop(said):
-    """One line about a run that failed: what to do, from what Snakemake said."""
+def reason_of_stop(logs):
+    """One line about a run that failed: what to do, from what Snakemake's logs say."""
+    said = "".join(Path(path).read_text(errors="replace") for path in logs if Path(path).exists())
     why = "see above"
     if "Signals.SIGKILL" in said:
         why = "a job was killed, as the system does when memory is short (fewer --cores need less)"
-    elif os.strerror(errno.ENOSPC) in said:
-        why = "the disk is full"
+    elif (free := shutil.disk_usage(PATHS.results).free) < 20e6:
+        why = f"its disk is full ({free / 1e6:.1f} MB are free)"
     return f"{PATHS.results}: stopped, {why}; finished files are kept, the same command goes on"
 
 

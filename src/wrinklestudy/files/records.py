@@ -45,10 +45,11 @@ class Record:
     size: int
     sha256: str
 
-    def as_dict(self) -> dict[str, Any]:
-        """Return the content of the record's file, with a checksum of its own."""
+    def text(self) -> str:
+        """Return the record's file, JSON with a checksum of its own."""
         content = {**vars(self), "made": dict(self.made), "inputs": dict(self.inputs)}
-        return content | {"checksum": _checksum(content)}
+        checksum = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
+        return json.dumps(content | {"checksum": checksum}, sort_keys=True, indent=1) + "\n"
 
 
 def file_digest(path: AnyPath) -> str:
@@ -76,13 +77,16 @@ def read_record(path: AnyPath) -> Record:
         If it is not one that was written whole.
     """
     try:
-        content = json.loads(Path(path).read_bytes())
-        checksum = content.pop("checksum")
-        if checksum != _checksum(content):
-            raise ValueError
-        return Record(**content)
+        text = Path(path).read_text(encoding="utf-8")
+        content = json.loads(text)
+        del content["checksum"]
+        record = Record(**content)
+        whole = record.text() == text
     except (AttributeError, KeyError, TypeError, ValueError, RecursionError):
-        raise DamagedFileError(f"{os.fspath(path)}: damaged record; {_AGAIN}") from None
+        whole = False
+    if not whole:
+        raise DamagedFileError(f"{os.fspath(path)}: damaged record; {_AGAIN}")
+    return record
 
 
 def damage(path: AnyPath, record: Record) -> str | None:
@@ -109,7 +113,3 @@ def check(path: AnyPath) -> None:
     fault = damage(path, read_record(record))
     if fault is not None:
         raise DamagedFileError(f"{os.fspath(path)}: damaged, {fault}; {_AGAIN}")
-
-
-def _checksum(content: Mapping[str, Any]) -> str:
-    return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()

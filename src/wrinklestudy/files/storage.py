@@ -4,6 +4,7 @@ Every file is written under a temporary name in its own folder and renamed when 
 and the same content gives the same bytes, so that a result can be compared and restored exactly.
 """
 
+import errno
 import hashlib
 import json
 import math
@@ -11,7 +12,7 @@ import os
 import platform
 import uuid
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +22,12 @@ from numpy.typing import NDArray
 from wrinklestudy.files import origin
 from wrinklestudy.files.records import check
 from wrinklestudy.typing import AnyPath
+
+_DISK = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EIO, errno.EACCES)
+
+
+class DiskError(OSError):
+    """A file cannot be written; one line that names it and says why."""
 
 
 @contextmanager
@@ -41,18 +48,43 @@ def atomic_path(output: AnyPath) -> Iterator[Path]:
     ------
     Path
         Where to write in the meantime.
+
+    Raises
+    ------
+    DiskError
+        If the disk is full or cannot be written; one line that names the file.
     """
     target = Path(output)
-    target.parent.mkdir(parents=True, exist_ok=True)
-    _remove_left_over(target)
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        _remove_left_over(target)
+    except OSError as error:
+        raise DiskError(f"{target}: cannot be written ({error.strerror})") from error
     temporary = target.with_name(
         f".{target.stem}-{_host()}-{os.getpid()}-{uuid.uuid4().hex[:8]}{target.suffix}"
     )
     try:
         yield temporary
         os.replace(temporary, target)
+    except Exception as error:
+        if fault := _fault_of_disk(error):
+            raise DiskError(f"{target}: cannot be written ({fault})") from error
+        raise
     finally:
-        temporary.unlink(missing_ok=True)
+        with suppress(OSError):  # of a disk that can only be read
+            temporary.unlink(missing_ok=True)
+
+
+def _fault_of_disk(error: BaseException | None) -> str | None:
+    """Return what is wrong with the disk, if that is behind an error.
+
+    Libraries that close a file which could not be written fail once more, in their own ways.
+    """
+    while error is not None:
+        if isinstance(error, OSError) and error.errno in _DISK:
+            return os.strerror(error.errno)
+        error = error.__context__
+    return None
 
 
 def _remove_left_over(target: Path) -> None:

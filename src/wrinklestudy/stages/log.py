@@ -38,11 +38,12 @@ def log_to(path: str) -> Iterator[None]:
     path : str
         Log file; an old one is replaced.
     """
-    Path(path).parent.mkdir(parents=True, exist_ok=True)
     form = "%(asctime)s %(levelname)s %(name)s: %(message)s"
-    logging.basicConfig(filename=path, filemode="w", level=logging.INFO, format=form)
-    logging.captureWarnings(True)
+    logging.raiseExceptions = False  # a log that the disk has no room for is no fault of the job
     try:
+        Path(path).parent.mkdir(parents=True, exist_ok=True)
+        logging.basicConfig(filename=path, filemode="w", level=logging.INFO, format=form)
+        logging.captureWarnings(True)
         yield
         _LOGGER.info("job: %.3f s of CPU", time.process_time())
     except (ValueError, OSError, MemoryError) as error:

@@ -9,7 +9,7 @@ from typing import Any
 
 from wrinklestudy.files.origin import stated
 from wrinklestudy.files.records import Record, file_digest
-from wrinklestudy.files.storage import write_json
+from wrinklestudy.files.storage import atomic_path
 
 # Packages on which the last digits, or the look of a figure, depend
 _PACKAGES = ("numpy", "scipy", "pypardiso", "scikit-fem", "h5py", "pandas", "matplotlib")
@@ -72,9 +72,10 @@ def recorded(
     }
     with stated(made):
         yield
-    for output, record in zip(outputs, records, strict=True):
-        content = Record(made, digests, Path(output).stat().st_size, file_digest(output))
-        write_json(record, content.as_dict())
+    for output, path in zip(outputs, records, strict=True):
+        record = Record(made, digests, Path(output).stat().st_size, file_digest(output))
+        with atomic_path(path) as temporary:
+            temporary.write_text(record.text(), encoding="utf-8")
 
 
 _NOT_CONFIG = ("caption", "code")

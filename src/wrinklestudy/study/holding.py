@@ -8,6 +8,8 @@ leaves behind; they are removed by the run that holds the folder.
 import fcntl
 import os
 import platform
+import re
+import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import IO
@@ -15,10 +17,44 @@ from typing import IO
 from wrinklestudy.files.records import FOLDER
 
 _RUNNING = ".running"
+# Options with which Snakemake tells something and makes no file
+_ASKS = re.compile(
+    r"-[kpqrfF]*n\w*|-[DSVhlv]|--(dry-?run|lint|report|(detailed-)?summary|list|dag|d3dag|rulegraph"
+    r"|filegraph|unlock|archive|delete|cleanup|conda|container|drop-metadata|generate|export|print-c"
+    r"|help|version).*"
+)
 
 
 class FolderHeldError(ValueError):
     """Another run works in the folder, or no run can; one line that names the folder."""
+
+
+def makes_files(words: Sequence[str]) -> bool:
+    """Return whether a command line of Snakemake makes files, rather than asking for something."""
+    return not any(_ASKS.fullmatch(word) for word in words)
+
+
+def take_over(results: str, folders: Sequence[str]) -> IO[str]:
+    """Hold a folder of results for this process, and say so if a dead one left its locks.
+
+    Parameters
+    ----------
+    results : str
+    folders : sequence of str
+        Folders in which only a run that holds ``results`` writes.
+
+    Returns
+    -------
+    file
+        To be kept as long as the run; it stops with one line if another run holds the folder.
+    """
+    try:
+        held = hold(results)
+    except FolderHeldError as error:
+        sys.exit(str(error))
+    if remove_left_locks(Path(".snakemake"), folders):
+        print(f"{results}: the last run was killed; this one goes on", file=sys.stderr)
+    return held
 
 
 def hold(results: str) -> IO[str]:
