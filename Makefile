@@ -5,6 +5,7 @@ CORES ?= all
 # make report CONFIG=config/quick.yaml REPORT=report/quick.html
 CONFIG ?=
 REPORT ?= report/report.html
+ARCHIVE ?= archive/study.zip
 EXPLORER ?= explorer/explorer.html
 FILM ?= explorer/film.$(if $(shell command -v ffmpeg),mp4,gif)
 BIN := .venv/bin
@@ -17,7 +18,7 @@ SNAKEMAKE := $(BIN)/snakemake --cores $(CORES) --quiet host rules
 ONE_THREAD := OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 .DEFAULT_GOAL := help
-.PHONY: help env figures quick beyond report explorer film docs test test-kill verify verify-solid bench lint schema lock
+.PHONY: help env figures quick beyond report archive explorer film docs test test-kill verify verify-solid bench lint schema lock
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1	/p' $(MAKEFILE_LIST)
@@ -50,6 +51,11 @@ report: $(READY) ## run the study and put figures, claims and run times into rep
 	@mkdir -p $(dir $(REPORT))
 	$(SNAKEMAKE) $(CONFIG:%=--configfile %) --report $(REPORT)
 
+# make archive CONFIG=config/quick.yaml ARCHIVE=archive/quick.zip
+archive: $(READY) ## run the study and put it, its program and its checksums into archive/study.zip (RO-Crate)
+	$(SNAKEMAKE) $(CONFIG:%=--configfile %)
+	$(BIN)/python workflow/archive.py $(or $(CONFIG),config.yaml) $(ARCHIVE)
+
 # make explorer CONFIG=config/beyond.yaml EXPLORER=explorer/beyond.html
 explorer: $(READY) ## run the study and write a page to play with its states: explorer/explorer.html
 	$(SNAKEMAKE) $(CONFIG:%=--configfile %)
@@ -65,8 +71,7 @@ test: $(READY) ## run the tests, with the quick study as one of them
 	$(ONE_THREAD) $(BIN)/python -m pytest --numprocesses auto --dist loadgroup --no-loadscope-reorder
 
 test-kill: $(READY) ## kill runs of a small study a hundred times at random moments (ten minutes)
-	$(ONE_THREAD) KILLS=100 KILL_SEED=$$(date +%j) $(BIN)/python -m pytest -p no:xdist --override-ini addopts= \
-		--import-mode=importlib tests/workflow/test_kills.py
+	$(ONE_THREAD) KILLS=100 KILL_SEED=$$(date +%j) $(BIN)/python -m pytest -q tests/workflow/test_kills.py
 
 verify: $(READY) ## compute the evidence that the numbers are right: docs/verification.md
 	$(SNAKEMAKE) --snakefile verification/Snakefile

@@ -9,6 +9,7 @@ from base64 import urlsafe_b64encode
 from dataclasses import astuple
 from pathlib import Path
 
+from wrinklestudy.files.records import DamagedFileError, read_record
 from wrinklestudy.results.analyses import input_name
 from wrinklestudy.results.cases import NAME_PATTERN, VALUE_PATTERN, Case, StudySheet, parse_value
 from wrinklestudy.results.paths import STAGES, Paths, filled
@@ -204,6 +205,25 @@ if workflow.is_main_process:
 def is_there(file):
     """Whether a file is there and may be used."""
     return Path(file).exists() and file not in {unsound.file for unsound in UNSOUND}
+
+
+def origin_of(file):
+    """One line about how a file was made, for the report; empty before it is made."""
+    try:
+        made = read_record(PATHS.record(file)).made
+    except (OSError, DamagedFileError):
+        return ""
+    versions = ", ".join(f"{name} {text}" for name, text in made["versions"].items())
+    return f"{made['program']}, code {made['code']}; {versions}; {made['machine']}"
+
+
+# What the report says of the files in it: their captions see the config
+config["report"]["origins"] = (
+    {file: origin_of(file) for file in plan.wanted_files(STUDY, PATHS)}
+    | {file: origin_of(file) for file in plan.files_of(STUDY, PATHS, "summary")}
+    if any(word.startswith("--report") for word in sys.argv[1:])
+    else {}
+)
 
 
 def reason_of_stop(logs):

@@ -55,8 +55,8 @@ def recorded(
     outputs, records : sequences of str
         Files that the block writes and the files of their records, in the same order.
     """
-    for record in records:
-        Path(record).unlink(missing_ok=True)
+    for old in records:
+        Path(old).unlink(missing_ok=True)
     files = {name: [value] if isinstance(value, str) else value for name, value in inputs.items()}
     digests = {file: file_digest(file) for group in files.values() for file in group}
     caption = params.get("caption")
