@@ -105,6 +105,7 @@ TOLD = {
 
 
 def assert_told_of_a_figure(text, name):
+    assert re.search(r"From: wrinklestudy [\d.]+, code [0-9a-f]{16}; h5py ", text)
     assert f"Figure {CATALOGUE.figure(name).panel}. " in text
     if name == "fig01_stress":
         assert "latex (mooney-rivlin, data/latex_panaitescu2019.csv)" in text
