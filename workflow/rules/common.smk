@@ -191,9 +191,10 @@ def remembered(file):
     return len(name) > 200 or Path(".snakemake", "metadata", name).exists()
 
 
-# Files that are there and must not be used count as lost.
+# Files that are there and must not be used count as lost. While another run works here, some have no
+# record yet.
 UNSOUND = []
-if workflow.is_main_process:
+if RUNS or (workflow.is_main_process and not holding.is_held(PATHS.results)):
     UNSOUND = stored.unsound_files(STUDY, PATHS, code_of_file, remembered)
     for line in stored.report(UNSOUND, "removed, to be made again" if RUNS else "a run removes it"):
         print(line, file=sys.stderr)

@@ -88,6 +88,18 @@ def hold(results: str) -> IO[str]:
     return held
 
 
+def is_held(results: str) -> bool:
+    """Return whether a run works in a folder of results; nothing is written."""
+    try:
+        with open(Path(results, FOLDER, _RUNNING), encoding="utf-8") as file:
+            fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
+    except FileNotFoundError:
+        return False
+    except OSError:
+        return True
+    return False
+
+
 def remove_left_locks(state: Path, folders: Sequence[str]) -> bool:
     """Remove Snakemake's locks on files below some folders, which the caller holds.
 

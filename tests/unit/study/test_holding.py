@@ -6,18 +6,27 @@ import sys
 
 import pytest
 
-from wrinklestudy.study.holding import FolderHeldError, hold, makes_files, remove_left_locks
+from wrinklestudy.study.holding import (
+    FolderHeldError,
+    hold,
+    is_held,
+    makes_files,
+    remove_left_locks,
+)
 
 
 def test_a_folder_is_held_once_and_free_again_when_its_holder_ends(tmp_path):
     results = str(tmp_path / "results")
+    assert not is_held(results)
     with hold(results):
+        assert is_held(results)
         with pytest.raises(FolderHeldError) as refused:
             hold(results)
         line = f"{results}: a run works here already (process {os.getpid()} on "
         assert str(refused.value).startswith(line)
         assert "\n" not in str(refused.value)
         hold(str(tmp_path / "others")).close()
+    assert not is_held(results)
     hold(results).close()
 
 
