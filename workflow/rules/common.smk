@@ -13,6 +13,7 @@ from wrinklestudy.files.records import DamagedFileError, read_record
 from wrinklestudy.results.analyses import input_name
 from wrinklestudy.results.cases import NAME_PATTERN, VALUE_PATTERN, Case, StudySheet, parse_value
 from wrinklestudy.results.paths import STAGES, Paths, filled
+from wrinklestudy.stages.recording import program
 from wrinklestudy.study import figure_contents, holding, plan, stored, targets
 from wrinklestudy.study.config import ConfigError, load_config
 from wrinklestudy.study.digest import code_digest
@@ -27,6 +28,8 @@ except ConfigError as error:
     sys.exit(str(error))
 
 CATALOGUE = STUDY.catalogue
+# for the jobs, which write it into their files
+config["program"] = program()
 # for the first page of the report, which sees only the config
 config["report"] = {"title": CATALOGUE.title, "citation": CATALOGUE.citation}
 

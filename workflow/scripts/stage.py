@@ -26,6 +26,7 @@ with no_garbage_collection(), log_to(snakemake.log[0]):
         name: value for name, value in snakemake.params.items() if name not in ("code", "caption")
     }
     with recorded(
+        snakemake.config["program"],
         snakemake.rule,
         dict(snakemake.params.items()),
         inputs,

@@ -8,7 +8,7 @@ import pytest
 from wrinklestudy.cli import main
 from wrinklestudy.files.records import FOLDER
 from wrinklestudy.files.storage import write_h5
-from wrinklestudy.stages.recording import recorded
+from wrinklestudy.stages.recording import program, recorded
 
 
 @pytest.fixture
@@ -16,7 +16,7 @@ def state(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     record = f"results/{FOLDER}/wrinkle/a.h5.json"
     params = {"code": "0123", "thickness": 1e-3, "settings": {"seeds": 2, "cycle": None}}
-    with recorded("wrinkle", params, {}, ["results/wrinkle/a.h5"], [record]):
+    with recorded(program(), "wrinkle", params, {}, ["results/wrinkle/a.h5"], [record]):
         write_h5("results/wrinkle/a.h5", {"grid/x": range(5), "grid/y": range(4)}, {})
     return tmp_path / "results" / "wrinkle" / "a.h5"
 

@@ -5,7 +5,7 @@ import pytest
 from wrinklestudy.files.origin import embedded
 from wrinklestudy.files.records import file_digest, read_record
 from wrinklestudy.files.storage import write_h5
-from wrinklestudy.stages.recording import recorded
+from wrinklestudy.stages.recording import program, recorded
 
 
 def job(folder, output, record, **params):
@@ -13,7 +13,12 @@ def job(folder, output, record, **params):
     source.write_text("{}")
     values = {"code": "0123", "strain": 0.1, "caption": {"mesh": "4 x 4 cells"}} | params
     return recorded(
-        "wrinkle", values, {"planar": str(source), "none": []}, [str(output)], [str(record)]
+        program(),
+        "wrinkle",
+        values,
+        {"planar": str(source), "none": []},
+        [str(output)],
+        [str(record)],
     )
 
 
