@@ -8,6 +8,7 @@ has no time but that of the last commit and no path of this machine: the same fi
 bytes. To make the study anew, in an empty folder::
 
     unzip quick.zip
+    rm -r results figures
     make figures        # or: snakemake --cores all --configfile config/quick.yaml
     sha256sum --check SHA256SUMS
 
