@@ -6,6 +6,7 @@ and the same content gives the same bytes, so that a result can be compared and 
 
 import errno
 import hashlib
+import io
 import json
 import math
 import os
@@ -190,13 +191,17 @@ def write_h5(
     import h5py
 
     # the default file format has no time stamps in groups, libver="latest" would have
-    with atomic_path(output) as path, h5py.File(path, "w") as file:
+    # and HDF5 crashes on a disk that is full: the file is put together in memory
+    image = io.BytesIO()
+    with h5py.File(image, "w") as file:
         for name in sorted(attrs):
             file.attrs[name] = _attribute(name, attrs[name])
         if origin.current():
             file.attrs[origin.KEY] = origin.current()
         for name in sorted(datasets):
             file.create_dataset(name, data=datasets[name], track_times=False)
+    with atomic_path(output) as path:
+        path.write_bytes(image.getbuffer())
 
 
 def _attribute(name: str, value: Any) -> Any:
