@@ -12,9 +12,10 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from wrinklestudy.typing import AnyPath
+if TYPE_CHECKING:  # planning a study knows of records and loads no numpy
+    from wrinklestudy.typing import AnyPath
 
 FOLDER = ".record"
 _AGAIN = "run the study again, it is then made anew"
@@ -52,13 +53,13 @@ class Record:
         return json.dumps(content | {"checksum": checksum}, sort_keys=True, indent=1) + "\n"
 
 
-def file_digest(path: AnyPath) -> str:
+def file_digest(path: "AnyPath") -> str:
     """Return the SHA-256 of a file."""
     with open(path, "rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
 
-def record_of(path: AnyPath) -> Path | None:
+def record_of(path: "AnyPath") -> Path | None:
     """Return the record of a file; None if no folder above the file has one."""
     file = Path(path)
     for root in file.parents:
@@ -68,7 +69,7 @@ def record_of(path: AnyPath) -> Path | None:
     return None
 
 
-def read_record(path: AnyPath) -> Record:
+def read_record(path: "AnyPath") -> Record:
     """Read the file of a record.
 
     Raises
@@ -89,7 +90,7 @@ def read_record(path: AnyPath) -> Record:
     return record
 
 
-def damage(path: AnyPath, record: Record) -> str | None:
+def damage(path: "AnyPath", record: Record) -> str | None:
     """Return what is wrong with a file that is there; None if it is as it was written."""
     size = Path(path).stat().st_size
     if size != record.size:
@@ -99,7 +100,7 @@ def damage(path: AnyPath, record: Record) -> str | None:
     return None
 
 
-def check(path: AnyPath) -> None:
+def check(path: "AnyPath") -> None:
     """Compare a file with its record, if it has one.
 
     Raises
