@@ -12,9 +12,10 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from wrinklestudy.typing import AnyPath
+if TYPE_CHECKING:  # --help loads no numpy
+    from wrinklestudy.typing import AnyPath
 
 KEY = "provenance"  # HDF5 attribute, text chunk of a PNG
 _PDF_KEY, _SVG_KEY = "Subject", "Description"  # of what the formats allow
@@ -54,14 +55,14 @@ def comment_line() -> str:
     return f"{_CSV_LINE}{current()}\n" if current() else ""
 
 
-def append_comment(path: AnyPath) -> None:
+def append_comment(path: "AnyPath") -> None:
     """Add the origin to an XML file, at its end."""
     if current():
         with open(path, "ab") as file:
             file.write(f"<!-- {KEY}: {current()} -->\n".encode())
 
 
-def embedded(path: AnyPath) -> dict[str, Any] | None:
+def embedded(path: "AnyPath") -> dict[str, Any] | None:
     """Return the origin that a file has in itself; None if it has none.
 
     Raises
