@@ -8,7 +8,6 @@ from typing import Any
 from wrinklestudy.cli.output import Answer
 from wrinklestudy.files.origin import embedded
 from wrinklestudy.files.records import Record, damage, file_digest, read_record, record_of
-from wrinklestudy.files.storage import read_h5
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -67,6 +66,8 @@ def _mesh(path: Path) -> str | None:
     """Return the cells of the mesh of a state."""
     if path.suffix != ".h5":
         return None
+    from wrinklestudy.files.storage import read_h5
+
     datasets, _ = read_h5(path, ("grid/x", "grid/y"))
     along, across = (len(datasets[name]) - 1 for name in ("grid/x", "grid/y"))
     return f"{along} x {across} cells on the quarter sheet"
