@@ -251,7 +251,7 @@ def study_digest():
     }
     digest = hashlib.sha256("\0".join([STUDY.model_dump_json(), *codes]).encode())
     for path in sorted(path for path in files if Path(path).exists()):
-        digest.update(path.encode() + b"\0" + Path(path).read_bytes())
+        digest.update(b"\0".join([path.encode(), Path(path).read_bytes()]))
     return digest.hexdigest()[:16]
 
 
