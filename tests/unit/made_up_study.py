@@ -93,6 +93,7 @@ def sheet(
         "flat_energy": STRAIN**2,
         "energy": STRAIN**2 + energy * phi**2,
         "sheet_amplitude_x_over_length": np.where(on, 0.0, np.nan),
+        "envelope_amplitude_x_over_length": np.where(on, 0.0, np.nan),
         "sheet_amplitude_y_over_width": np.where(on, 0.03, np.nan),
     } | {name: np.broadcast_to(value, STRAIN.shape) for name, value in columns.items()}
     identity = {"material": material, "law": law, "bending": bending, "parity": parity}

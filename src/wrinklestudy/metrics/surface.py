@@ -9,6 +9,9 @@ from wrinklestudy.typing import Array
 
 _SAMPLES_PER_CELL = 8
 _REFINEMENTS = 4
+# Beside a clamp, in units of W: at the corner of clamp and free edge a thin sheet has a flap, which
+# stands higher than its wrinkles and is none.
+FLAP = 0.1
 
 
 @dataclass(frozen=True)
@@ -30,16 +33,22 @@ class SheetPeak:
 
 @dataclass(frozen=True)
 class Envelope:
-    """How long the wrinkles are.
+    """How long and how high the wrinkles are, without the strips of width `FLAP` at the clamps.
 
     Parameters
     ----------
+    amplitude : float
+        Largest |z| in units of W.
+    x : float
+        Reference coordinate along the pull where that is, in units of W.
     length, deformed_length : float
         Length along the pull over which the largest |z| across the sheet is above half of its
         maximum, in units of W: of the undeformed sheet, and of the deformed mid-line above it. Two
         zones of wrinkles count together, without what lies between them.
     """
 
+    amplitude: float
+    x: float
     length: float
     deformed_length: float
 
@@ -89,9 +98,11 @@ def envelope(sheet: DeformedSheet) -> Envelope:
     along = evaluate(sheet.grid, sheet.nodes[0], x, np.array([0.0]))[:, 0]
     whole = sheet.unfolded().grid.x
     copies = np.ptp(whole) / np.ptp(sheet.grid.x)
-    level = 0.5 * float(height.max())
+    height[np.abs(x) > np.abs(whole).max() - FLAP] = 0.0
+    top = int(np.argmax(height))
+    level = 0.5 * float(height[top])
     lengths = (copies * _length_above(place, height, level) for place in (x, along))
-    return Envelope(*lengths)
+    return Envelope(2.0 * level, float(x[top]), *lengths)
 
 
 def _length_above(place: Array, height: Array, level: float) -> float:

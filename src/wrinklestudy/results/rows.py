@@ -14,6 +14,7 @@ from typing import Any, TypeVar, get_args, get_type_hints
 
 import numpy as np
 
+from wrinklestudy.metrics.surface import FLAP
 from wrinklestudy.typing import AnyPath, Cell
 from wrinklestudy.vocabulary import FEWEST_CELLS, STATUSES, Status
 
@@ -162,9 +163,15 @@ class StateRow(SheetIdentity):
     sheet_amplitude_y_over_width: float | None = described(
         "Y/W of that point, 0 on the mid-line, 1/2 at the free edge", measured=True
     )
+    envelope_amplitude_over_thickness: float | None = described(
+        f"largest |z|/t but for {FLAP:g} W at the clamps, where thin sheets have a flap",
+        measured=True,
+    )
+    envelope_amplitude_x_over_length: float | None = described(
+        "X/L of the point of that |z|", measured=True
+    )
     envelope_length_over_width: float | None = described(
-        "l/W, length along X over which the largest |z| across the sheet is above half of its "
-        "maximum",
+        "l/W, length along X over which the largest |z| across the sheet is above half of that",
         measured=True,
     )
     deformed_envelope_length_over_width: float | None = described(

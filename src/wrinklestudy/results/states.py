@@ -82,6 +82,8 @@ def _with_surface(row: StateRow, sheet: DeformedSheet) -> StateRow:
         row,
         sheet_amplitude_x_over_length=peak.x / row.aspect,
         sheet_amplitude_y_over_width=peak.y,
+        envelope_amplitude_over_thickness=lengths.amplitude / row.thickness,
+        envelope_amplitude_x_over_length=lengths.x / row.aspect,
         envelope_length_over_width=lengths.length,
         deformed_envelope_length_over_width=lengths.deformed_length,
     )

@@ -9,7 +9,7 @@ from wrinklestudy.fem.grid import Grid
 from wrinklestudy.metrics.interpolant import DeformedSheet, evaluate
 from wrinklestudy.metrics.measure import measure_sheet
 from wrinklestudy.metrics.profile import profile_from_state
-from wrinklestudy.metrics.surface import envelope, full_surface, sheet_peak
+from wrinklestudy.metrics.surface import FLAP, envelope, full_surface, sheet_peak
 
 GRID_X = 1.0 - (1.0 - np.linspace(0.0, 1.0, 7)) ** 1.5
 GRID_Y = np.linspace(0.0, 0.5, 5)
@@ -132,3 +132,18 @@ def test_two_zones_of_wrinkles_count_without_what_lies_between_them():
     hump = Polynomial([0.0, 0.0, 16.0, -32.0, 16.0])
     lengths = envelope(state(1e-3 * dofs(hump, ACROSS)))
     assert lengths.length == pytest.approx(2.0 * np.sqrt(1.0 - np.sqrt(0.5)), rel=2e-2)
+
+
+def test_a_flap_at_the_corner_of_the_clamp_is_no_wrinkle():
+    """A flap three times as high as the wrinkles leaves their length and place as they are."""
+    x = 1.0 - (1.0 - np.linspace(0.0, 1.0, 25)) ** 1.5
+    shapes = ((1.1, LINE, ONE), (0.95, ONE, LINE), (1e-3, ALONG, ACROSS))
+    nodes = np.stack([factor * dofs(f, g, x) for factor, f, g in shapes])
+    sheet = DeformedSheet(Grid(x, GRID_Y), nodes, QUARTER)
+    flap = np.zeros_like(nodes)
+    flap[2, 0, -3, -1] = 3.0 * np.abs(nodes[2, 0]).max()
+    with_flap = DeformedSheet(sheet.grid, nodes + flap, QUARTER)
+    assert sheet_peak(with_flap).x > 1.0 - FLAP
+    assert envelope(with_flap) == envelope(sheet)
+    assert envelope(sheet).x == 0.0
+    assert envelope(sheet).amplitude == pytest.approx(sheet_peak(sheet).amplitude, rel=1e-2)

@@ -28,7 +28,7 @@ def envelope(length, share=1.0):
     """
     names = ("envelope_length_over_width", "deformed_envelope_length_over_width")
     lengths = dict(zip(names, (length, length * (1.0 + 0.5 * STRAIN)), strict=True))
-    heights = {"amplitude_over_thickness": 3.0, "sheet_amplitude_over_thickness": 3.0 / share}
+    heights = {"amplitude_over_thickness": 3.0, "envelope_amplitude_over_thickness": 3.0 / share}
     return lengths | heights
 
 

@@ -29,7 +29,7 @@ NH, SVK = {"law": "neo-hookean"}, {"law": "svk"}
 ENVELOPE = {
     "envelope_length_over_width": 1.5,
     "deformed_envelope_length_over_width": 1.6,
-    "sheet_amplitude_over_thickness": 3.0,
+    "envelope_amplitude_over_thickness": 3.0,
     "nominal_stress_pa": 1e5 * STRAIN,
 }
 

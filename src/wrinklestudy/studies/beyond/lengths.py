@@ -17,9 +17,9 @@ _COLUMNS = (
     "projected_width_over_width",
     "envelope_length_over_width",
     "deformed_envelope_length_over_width",
-    "sheet_amplitude_x_over_length",
+    "envelope_amplitude_x_over_length",
     "amplitude_over_thickness",
-    "sheet_amplitude_over_thickness",
+    "envelope_amplitude_over_thickness",
 )
 
 
@@ -37,7 +37,7 @@ class Lengths:
     material_wavelength, material_envelope : ndarray
         The same on the undeformed sheet; lambda by the mean stretch across x = 0.
     place : ndarray
-        |X|/L of the highest wrinkle.
+        |X|/L of the highest wrinkle; the flap at the corner of a thin sheet is none.
     middle : ndarray
         Height half-way between the clamps over that of the highest wrinkle.
     """
