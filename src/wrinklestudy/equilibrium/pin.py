@@ -107,10 +107,10 @@ def further(
     wrinkles[1, free] = direction[-bent.shape[0] :]
     own, other = (float(w @ multiply(bent, w)) for w in wrinkles[:, free])
     wrinkles[1] *= np.sqrt(own / other)
-    here, there = relaxations(flat, wrinkles)
     guess = position.copy()
-    guess[:2] += there - here
     guess[2] = unwrinkled[2] + wrinkles[1]
+    here, there = relaxations(flat, np.stack([position[2], guess[2]]))
+    guess[:2] += there - here
     return guess
 
 
