@@ -82,8 +82,8 @@ _COMPRESSION = """
 _IMPERFECTION = """
 ## Imperfection
 
-`results/imperfection/{material}/aspect{aspect}_thickness{thickness}/{imperfection}.csv`, one row per strain; birth,
-decay and windows are those of the sheet.
+`results/imperfection/{material}/aspect{aspect}_thickness{thickness}/{imperfection}.csv`, one row
+per strain; birth, decay and windows are those of the sheet.
 """
 
 

@@ -131,7 +131,9 @@ def repeated_names(sheets: Iterable[ImperfectSheet]) -> list[str]:
     """Return names that different imperfect sheets of one size share, as tables of one stem do."""
     known: dict[tuple[StudySheet, str], ImperfectSheet] = {}
     return [
-        sheet.name for sheet in sheets if known.setdefault((sheet.sheet, sheet.name), sheet) != sheet
+        sheet.name
+        for sheet in sheets
+        if known.setdefault((sheet.sheet, sheet.name), sheet) != sheet
     ]
 
 

@@ -1,6 +1,7 @@
 """The imperfection stage: an imperfect sheet at its strains, and where it wrinkles."""
 
 from collections.abc import Mapping, Sequence
+from os import fspath
 from typing import Any
 
 from wrinklestudy.equilibrium import stability
@@ -55,7 +56,7 @@ def run(
     output : path-like
         CSV file to write, with a row for each strain.
     thickness_table : path-like, optional
-        The table that ``given`` names; its content is read.
+        The file that ``given`` names.
     """
     from pathlib import Path
 
@@ -64,6 +65,9 @@ def run(
 
     loaded = load_material(Path(material))
     entries = tuple((key, tuple(v) if isinstance(v, list) else v) for key, v in given)
+    if thickness_table is not None:  # as the rule has it
+        table = ("thickness_table", fspath(thickness_table))
+        entries = tuple(table if key == table[0] else (key, value) for key, value in entries)
     imperfect = ImperfectSheet(StudySheet(name, aspect, thickness), symmetry, entries)
     found = imperfections_of(dict(entries), loaded.shear_modulus)
     bending, parity = settings["bending"], settings["parity"]

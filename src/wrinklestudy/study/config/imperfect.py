@@ -73,9 +73,7 @@ class ImperfectBlock(SheetsBlock):
     thickness_across: Parts | None = Field(
         default=None, description="difference of the thickness from edge to edge, over its mean"
     )
-    thickness_ripple: RippleBlock | None = Field(
-        default=None, description="wave of the thickness"
-    )
+    thickness_ripple: RippleBlock | None = Field(default=None, description="wave of the thickness")
     thickness_table: Place | None = Field(
         default=None, description="CSV file of measured thickness: x, y (over W) and thickness"
     )
@@ -85,9 +83,9 @@ class ImperfectBlock(SheetsBlock):
     gravity: Annotated[float, within(GRAVITY), Number] = Field(
         default=9.80665, description="m/s^2, with density"
     )
-    width_mm: Annotated[
-        float, within(Limits(0.0, 1e6, above_lowest=True, unit="mm")), Number
-    ] | None = Field(default=None, description="width of the sheet, with density")
+    width_mm: (
+        Annotated[float, within(Limits(0.0, 1e6, above_lowest=True, unit="mm")), Number] | None
+    ) = Field(default=None, description="width of the sheet, with density")
 
     def cases(self) -> Iterator[tuple[ImperfectSheet, tuple[float, ...]]]:
         """Yield each imperfect sheet with its strains; it needs a width if it has a density."""
