@@ -18,7 +18,7 @@ SNAKEMAKE := $(BIN)/python workflow/unlock.py && $(BIN)/snakemake --cores $(CORE
 ONE_THREAD := OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 .DEFAULT_GOAL := help
-.PHONY: help env figures quick beyond report explorer film docs test verify verify-solid bench bench-plan test-slurm lint schema lock
+.PHONY: help env figures quick beyond imperfections report explorer film docs test verify verify-solid bench bench-plan test-slurm lint schema lock
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1	/p' $(MAKEFILE_LIST)
@@ -45,6 +45,12 @@ beyond: $(READY) ## run the study beyond the paper (config/beyond.yaml): figures
 	@mkdir -p docs/beyond
 	cp results/beyond/claims/claims.md docs/beyond.md
 	cp figures/beyond/*.png docs/beyond/
+
+imperfections: $(READY) ## run the study of imperfections (config/imperfections.yaml): docs/imperfections.md
+	$(SNAKEMAKE) --configfile config/imperfections.yaml
+	@mkdir -p docs/imperfections
+	cp results/imperfections/claims/claims.md docs/imperfections.md
+	cp figures/imperfections/*.png docs/imperfections/
 
 report: $(READY) ## run the study and put figures, claims and run times into report/report.html
 	$(SNAKEMAKE) $(CONFIG:%=--configfile %)

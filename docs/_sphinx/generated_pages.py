@@ -17,7 +17,11 @@ from pygments.lexers.special import TextLexer
 from sphinx.application import Sphinx
 
 ROOT = Path(__file__).parents[2]
-STUDIES = (("panaitescu2019", "figures", "figures"), ("beyond", "figures/beyond", "beyond"))
+STUDIES = (
+    ("panaitescu2019", "figures", "figures"),
+    ("beyond", "figures/beyond", "beyond"),
+    ("imperfections", "figures/imperfections", "imperfections"),
+)
 _MARK = re.compile(r"^<!-- generated: (\w+) -->$", flags=re.MULTILINE)
 _LINK = re.compile(r"\]\(([^()#:]+\.md)\)")
 # Pages of the project that are not in docs/, and the page of the site that has the same
