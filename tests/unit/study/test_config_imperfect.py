@@ -79,5 +79,5 @@ def test_what_is_wrong_gets_one_line(entry, fault):
 def test_a_table_that_is_not_there_is_refused_with_its_key(tmp_path):
     config = tmp_path / "c.yaml"
     config.write_text("a: 1\n")
-    with pytest.raises(ConfigError, match="thickness_table = 'no.csv': must be a CSV file"):
+    with pytest.raises(ConfigError, match=r"thickness_table = 'no\.csv': must be a CSV file"):
         load_config(raw({"thickness_table": "no.csv"}), [config])
