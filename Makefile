@@ -5,20 +5,21 @@ CORES ?= all
 # make report CONFIG=config/quick.yaml REPORT=report/quick.html
 CONFIG ?=
 REPORT ?= report/report.html
+ARCHIVE ?= archive/study.zip
 EXPLORER ?= explorer/explorer.html
 FILM ?= explorer/film.$(if $(shell command -v ffmpeg),mp4,gif)
 BIN := .venv/bin
 READY := $(BIN)/.ready
 LOCK := requirements/lock.txt
 PIP := $(BIN)/python -m pip --disable-pip-version-check
-# a lock that a killed run left goes first; that of a live run stops make
-SNAKEMAKE := $(BIN)/python workflow/unlock.py && $(BIN)/snakemake --cores $(CORES) --quiet host rules
+SNAKEMAKE := $(BIN)/snakemake --cores $(CORES) --quiet host rules
 
 # jobs and tests run side by side, each on one thread
 ONE_THREAD := OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 .DEFAULT_GOAL := help
-.PHONY: help env figures quick beyond imperfections report explorer film docs test verify verify-solid bench bench-plan test-slurm lint schema lock
+.PHONY: help env figures quick beyond literature imperfections report archive explorer film docs test test-kill test-slurm verify \
+	verify-solid bench bench-plan lint schema lock
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1	/p' $(MAKEFILE_LIST)
@@ -46,6 +47,12 @@ beyond: $(READY) ## run the study beyond the paper (config/beyond.yaml): figures
 	cp results/beyond/claims/claims.md docs/beyond.md
 	cp figures/beyond/*.png docs/beyond/
 
+literature: $(READY) ## run the study of what others published (config/literature.yaml): docs/literature_study.md
+	$(SNAKEMAKE) --configfile config/literature.yaml
+	@mkdir -p docs/literature
+	cp results/literature/claims/claims.md docs/literature_study.md
+	cp figures/literature/*.png docs/literature/
+
 imperfections: $(READY) ## run the study of imperfections (config/imperfections.yaml): docs/imperfections.md
 	$(SNAKEMAKE) --configfile config/imperfections.yaml
 	@mkdir -p docs/imperfections
@@ -56,6 +63,11 @@ report: $(READY) ## run the study and put figures, claims and run times into rep
 	$(SNAKEMAKE) $(CONFIG:%=--configfile %)
 	@mkdir -p $(dir $(REPORT))
 	$(SNAKEMAKE) $(CONFIG:%=--configfile %) --report $(REPORT)
+
+# make archive CONFIG=config/quick.yaml ARCHIVE=archive/quick.zip
+archive: $(READY) ## run the study and put it, its program and its checksums into archive/study.zip (RO-Crate)
+	$(SNAKEMAKE) $(CONFIG:%=--configfile %)
+	$(BIN)/python workflow/archive.py $(or $(CONFIG),config.yaml) $(ARCHIVE)
 
 # make explorer CONFIG=config/beyond.yaml EXPLORER=explorer/beyond.html
 explorer: $(READY) ## run the study and write a page to play with its states: explorer/explorer.html
@@ -70,6 +82,9 @@ docs: $(READY) ## build the site from docs/, with the figures that are there: si
 
 test: $(READY) ## run the tests, with the quick study as one of them
 	$(ONE_THREAD) $(BIN)/python -m pytest --numprocesses auto --dist loadgroup --no-loadscope-reorder
+
+test-kill: $(READY) ## kill runs of a small study a hundred times at random moments (ten minutes)
+	$(ONE_THREAD) KILLS=100 KILL_SEED=$$(date +%j) $(BIN)/python -m pytest -q tests/workflow/test_kills.py
 
 verify: $(READY) ## compute the evidence that the numbers are right: docs/verification.md
 	$(SNAKEMAKE) --snakefile verification/Snakefile

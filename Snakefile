@@ -35,3 +35,8 @@ onstart:
         and getattr(workflow.scheduler, "job_rate_limiter", None) is not None
     ):
         workflow.scheduler.job_rate_limiter = None
+
+
+# After all that Snakemake says: what it means.
+onerror:
+    print(reason_of_stop(log), file=sys.stderr)

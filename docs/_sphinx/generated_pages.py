@@ -20,6 +20,7 @@ ROOT = Path(__file__).parents[2]
 STUDIES = (
     ("panaitescu2019", "figures", "figures"),
     ("beyond", "figures/beyond", "beyond"),
+    ("literature", "figures/literature", "literature"),
     ("imperfections", "figures/imperfections", "imperfections"),
 )
 _MARK = re.compile(r"^<!-- generated: (\w+) -->$", flags=re.MULTILINE)

@@ -5,11 +5,10 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from time import perf_counter
 
-from wrinklestudy.equilibrium import flat, planar, stability, tension_field, wrinkled
-from wrinklestudy.equilibrium.critical_shape import WrinkleMode
+from wrinklestudy.equilibrium import planar, stability, tension_field, wrinkled
+from wrinklestudy.equilibrium.critical_shape import WrinkleMode, wrinkle_mode
 from wrinklestudy.equilibrium.envelope import envelope
 from wrinklestudy.equilibrium.imperfections import Bifurcation, Imperfections, bifurcation
-from wrinklestudy.equilibrium.modes import critical_mode
 from wrinklestudy.equilibrium.newton import Observer
 from wrinklestudy.equilibrium.ranges import Stability
 from wrinklestudy.equilibrium.tension_field import TensionField
@@ -237,12 +236,7 @@ class Sheet:
             raise ValueError(f"strain = {strain:g}: must be {STRAIN}")
         self._check_plain("mode")
         self.check_memory(wrinkled=False)
-        symmetry = self.settings.symmetry
-        state = flat.solve(self.space, self.material.law, strain, symmetry=symmetry)
-        first = critical_mode(state, self.bending, symmetry)
-        if first.shape is None:
-            raise ArithmeticError(f"strain {strain:g}: wrinkles at no thickness, has no mode")
-        return WrinkleMode.scaled(first.thickness, self.space, first.shape, symmetry)
+        return wrinkle_mode(self.space, self.material.law, strain, self.settings)
 
     def tension_field(self, strain: float, observer: Observer | None = None) -> TensionState:
         """Return the limit of no thickness at a strain: the sheet by tension field theory.

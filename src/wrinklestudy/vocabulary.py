@@ -68,6 +68,8 @@ STRAIN = Limits(1e-7, 1.0)
 JOBS = Limits(1, 1000)  # processes at the same time
 # Cells of the quarter of the reference sheet, along or across.
 CELLS = Limits(2, 500)
+# Of a wrinkled state, in one wavelength across: with fewer the mesh is too coarse for its wrinkles.
+FEWEST_CELLS = 6.0
 # How far clamps and thickness of a whole sheet may be off: beyond that they are no imperfections.
 SHIFT = Limits(-0.5, 0.5, unit="in units of W")
 ANGLE = Limits(-0.5, 0.5, unit="in radians")

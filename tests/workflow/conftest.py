@@ -71,7 +71,8 @@ class Study:
 
 
 def copy_of_the_project(folder: Path) -> Study:
-    """Return a copy of the project as it is, in a folder that is there."""
+    """Return a copy of the project as it is, in a folder that is made if need be."""
+    folder.mkdir(exist_ok=True)
     for name in PARTS:
         source = ROOT / name
         if source.is_dir():

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -17,7 +18,7 @@ QUICK, MESH, FINER = MeshSettings(8, 18), MeshSettings(12, 24), MeshSettings(18,
 SAME = 1.0e-6
 REFINED = 5.0e-3
 TURNED = Clamps(shear=0.02, rotate=0.03, twist=0.1, pitch=0.05, lift=0.02)
-REFINED_CASES = {
+REFINED_CASES: dict[str, dict[str, Any]] = {
     "perfect": {},
     "sheared by 0.01 W": {"clamps": Clamps(shear=0.01)},
     "twisted by 0.05": {"clamps": Clamps(twist=0.05)},

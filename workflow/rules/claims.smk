@@ -30,6 +30,7 @@ rule claims:
         ],
     log:
         PATHS.log("claims"),
+        *[PATHS.record(file) for file in plan.files_of(STUDY, PATHS, "claims")],
     threads: 1
     resources:
         mem_mb=500,

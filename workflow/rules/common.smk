@@ -3,15 +3,19 @@ import hashlib
 import json
 import os
 import re
+import shutil
 import sys
+from base64 import urlsafe_b64encode
 from dataclasses import astuple
 from pathlib import Path
 
+from wrinklestudy.files.records import DamagedFileError, read_record
 from wrinklestudy.results.analyses import input_name
 from wrinklestudy.results.cases import NAME_PATTERN, VALUE_PATTERN, Case, StudySheet, parse_value
 from wrinklestudy.results.imperfect_sheets import IMPERFECTION_PATTERN
 from wrinklestudy.results.paths import STAGES, Paths, filled
-from wrinklestudy.study import figure_contents, plan, targets
+from wrinklestudy.stages.recording import program
+from wrinklestudy.study import figure_contents, holding, plan, stored, targets
 from wrinklestudy.study.config import ConfigError, load_config
 from wrinklestudy.study.digest import code_digest
 from wrinklestudy.study.loading import claim_modules, sources
@@ -25,6 +29,8 @@ except ConfigError as error:
     sys.exit(str(error))
 
 CATALOGUE = STUDY.catalogue
+# for the jobs, which write it into their files
+config["program"] = program()
 # for the first page of the report, which sees only the config
 config["report"] = {"title": CATALOGUE.title, "citation": CATALOGUE.citation}
 
@@ -36,6 +42,11 @@ PATHS = Paths(STUDY.folders.results, STUDY.folders.figures)
 for word in sys.argv[1:]:
     if fault := targets.refusal(word, STUDY, PATHS):
         sys.exit(fault)
+
+
+RUNS = workflow.is_main_process and holding.makes_files(sys.argv[1:])
+if RUNS:
+    HELD = holding.take_over(PATHS.results, [f"{PATHS.results}/{stage}" for stage in STAGES])
 
 
 # {material} is a material or, except in files of the stage material, a variant of one
@@ -182,6 +193,66 @@ def of_figure(content):
     return lambda wildcards: content(STUDY, CATALOGUE.figure(wildcards.figure))
 
 
+def code_of_file(stage, file):
+    """Digest of the code that makes a file."""
+    if stage == "figures":
+        return code_of_figure(Path(file).stem)
+    return code_of_claims() if stage == "claims" else code(stage)
+
+
+def remembered(file):
+    """Whether Snakemake knows how a file was made, so that it runs again what has changed."""
+    name = urlsafe_b64encode(file.encode()).decode()
+    return len(name) > 200 or Path(".snakemake", "metadata", name).exists()
+
+
+# Files that are there and must not be used count as lost. While another run works here, some have no
+# record yet.
+UNSOUND = []
+if RUNS or (workflow.is_main_process and not holding.is_held(PATHS.results)):
+    UNSOUND = stored.unsound_files(STUDY, PATHS, code_of_file, remembered)
+    for line in stored.report(UNSOUND, "removed, to be made again" if RUNS else "a run removes it"):
+        print(line, file=sys.stderr)
+    for unsound in UNSOUND if RUNS else ():
+        Path(unsound.file).unlink()
+        Path(unsound.record).unlink(missing_ok=True)
+
+
+def is_there(file):
+    """Whether a file is there and may be used."""
+    return Path(file).exists() and file not in {unsound.file for unsound in UNSOUND}
+
+
+def origin_of(file):
+    """One line about how a file was made, for the report; empty before it is made."""
+    try:
+        made = read_record(PATHS.record(file)).made
+    except (OSError, DamagedFileError):
+        return ""
+    versions = ", ".join(f"{name} {text}" for name, text in made["versions"].items())
+    return f"{made['program']}, code {made['code']}; {versions}; {made['machine']}"
+
+
+# What the report says of the files in it: their captions see the config
+config["report"]["origins"] = (
+    {file: origin_of(file) for file in plan.wanted_files(STUDY, PATHS)}
+    | {file: origin_of(file) for file in plan.files_of(STUDY, PATHS, "summary")}
+    if any(word.startswith("--report") for word in sys.argv[1:])
+    else {}
+)
+
+
+def reason_of_stop(logs):
+    """One line about a run that failed: what to do, from what Snakemake's logs say."""
+    said = "".join(Path(path).read_text(errors="replace") for path in logs if Path(path).exists())
+    why = "see above"
+    if "Signals.SIGKILL" in said:
+        why = "a job was killed, as the system does when memory is short (fewer --cores need less)"
+    elif (free := shutil.disk_usage(PATHS.results).free) < 20e6:
+        why = f"its disk is full ({free / 1e6:.1f} MB are free)"
+    return f"{PATHS.results}: stopped, {why}; finished files are kept, the same command goes on"
+
+
 def study_digest():
     """Digest of all that the results depend on: config, code, measured data."""
     codes = [code(stage) for stage in STAGES]
@@ -207,10 +278,10 @@ def all_targets(_wildcards):
     Snakemake would not miss a lost file as long as nothing needs it and, once it makes it again,
     would run everything that comes after it.
     """
-    gate, wanted = Path(PATHS.pattern("gate")), plan.wanted_files(STUDY, PATHS)
-    if gate.exists() and json.loads(gate.read_text()).get("study") == study_digest():
-        files = [*plan.files_on_the_way(STUDY, PATHS), *wanted]
-        lost = [file for file in files if not Path(file).exists()]
+    gate, wanted = PATHS.pattern("gate"), plan.wanted_files(STUDY, PATHS)
+    on_the_way = plan.files_on_the_way(STUDY, PATHS)
+    if is_there(gate) and json.loads(Path(gate).read_text()).get("study") == study_digest():
+        lost = [file for file in (*on_the_way, *wanted) if not is_there(file)]
         if lost:
             return lost
-    return [*wanted, gate.as_posix()]
+    return [*wanted, gate, *{unsound.file for unsound in UNSOUND}.intersection(on_the_way)]

@@ -5,6 +5,7 @@ rule compression:
         PATHS.pattern("compression"),
     log:
         PATHS.log("compression"),
+        *PATHS.records("compression"),
     benchmark:
         PATHS.benchmark("compression")
     threads: 1

@@ -13,6 +13,7 @@ rule figures:
         csv=PATHS.pattern("figures", "csv"),
     log:
         PATHS.log("figures"),
+        *PATHS.records("figures"),
     threads: 1
     resources:
         mem_mb=1000,

@@ -7,6 +7,7 @@ rule gate:
         PATHS.pattern("gate"),
     log:
         PATHS.log("gate"),
+        *PATHS.records("gate"),
     threads: 1
     resources:
         mem_mb=200,

@@ -7,6 +7,7 @@ rule imperfection:
         PATHS.pattern("imperfection"),
     log:
         PATHS.log("imperfection"),
+        *PATHS.records("imperfection"),
     benchmark:
         PATHS.benchmark("imperfection")
     threads: 1

@@ -6,6 +6,7 @@ rule map:
         table=PATHS.pattern("map"),
     log:
         PATHS.log("map"),
+        *PATHS.records("map"),
     benchmark:
         PATHS.benchmark("map")
     threads: 1

@@ -5,6 +5,7 @@ rule material:
         PATHS.pattern("material"),
     log:
         PATHS.log("material"),
+        *PATHS.records("material"),
     wildcard_constraints:
         material="|".join(map(re.escape, STUDY.materials)),
     threads: 1

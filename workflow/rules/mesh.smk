@@ -3,6 +3,7 @@ rule mesh:
         PATHS.pattern("mesh"),
     log:
         PATHS.log("mesh"),
+        *PATHS.records("mesh"),
     threads: 1
     resources:
         mem_mb=500,

@@ -5,6 +5,7 @@ rule metrics:
         PATHS.pattern("metrics"),
     log:
         PATHS.log("metrics"),
+        *PATHS.records("metrics"),
     threads: 1
     resources:
         mem_mb=500,

@@ -6,6 +6,7 @@ rule planar:
         PATHS.pattern("planar"),
     log:
         PATHS.log("planar"),
+        *PATHS.records("planar"),
     benchmark:
         PATHS.benchmark("planar")
     threads: 1

@@ -7,6 +7,7 @@ rule stability:
         PATHS.pattern("stability"),
     log:
         PATHS.log("stability"),
+        *PATHS.records("stability"),
     benchmark:
         PATHS.benchmark("stability")
     threads: 1

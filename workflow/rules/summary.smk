@@ -13,6 +13,7 @@ rule summary:
         ),
     log:
         PATHS.log("summary"),
+        *PATHS.records("summary"),
     threads: 1
     resources:
         mem_mb=500,

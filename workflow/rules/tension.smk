@@ -7,6 +7,7 @@ rule tension:
         fields=PATHS.pattern("tension", "fields"),
     log:
         PATHS.log("tension"),
+        *PATHS.records("tension"),
     benchmark:
         PATHS.benchmark("tension")
     threads: 1

@@ -5,6 +5,7 @@ rule wrinkle:
         PATHS.pattern("wrinkle"),
     log:
         PATHS.log("wrinkle"),
+        *PATHS.records("wrinkle"),
     benchmark:
         PATHS.benchmark("wrinkle")
     threads: 1

@@ -1,6 +1,7 @@
 """Run the stage of a rule: `run` gets named inputs and params under their names in the rule.
 
-`output` is a path, or a mapping where the outputs have names. Inputs without a name are only waited
+`output` is a path, or a mapping where the outputs have names. The first log is that of the job, the
+others are the records of its outputs, in their order. Inputs without a name are only waited
 for; `code` and `caption` are for Snakemake and the report.
 """
 
@@ -8,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from wrinklestudy.stages.log import log_to
 from wrinklestudy.stages.memory import no_garbage_collection
+from wrinklestudy.stages.recording import recorded
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -23,4 +25,12 @@ with no_garbage_collection(), log_to(snakemake.log[0]):
     params = {
         name: value for name, value in snakemake.params.items() if name not in ("code", "caption")
     }
-    stage.run(**inputs, **params, output=dict(snakemake.output.items()) or snakemake.output[0])
+    with recorded(
+        snakemake.config["program"],
+        snakemake.rule,
+        dict(snakemake.params.items()),
+        inputs,
+        list(snakemake.output),
+        list(snakemake.log)[1:],
+    ):
+        stage.run(**inputs, **params, output=dict(snakemake.output.items()) or snakemake.output[0])

@@ -106,12 +106,13 @@ def _content_of_sheet(arguments: argparse.Namespace) -> "Content":
     states, shapes = shaped_states(chosen, strains, _STATES, arguments.jobs)
     largest = states.states[-1].strain
     material = arguments.material or states.law
+    relaxes = not chosen.material.law.linear_in_plane  # others have no tension field
     return Content(
         title=f"A sheet of {_size_text(size)}",
         source="a sheet of one's own (wrinklestudy explore)",
         sheets=[ShownSheet(states, shapes, material, size.width_mm)],
         maps=[_map(chosen, states.material, lengths, largest, arguments.jobs)],
-        tension={material: _tension(chosen, largest, arguments.jobs)},
+        tension={material: _tension(chosen, largest, arguments.jobs)} if relaxes else {},
         constants={material: constants_text(chosen.material)},
     )
 

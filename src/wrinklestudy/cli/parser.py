@@ -10,6 +10,7 @@ from wrinklestudy.cli import (
     fit,
     map_command,
     measure,
+    provenance_command,
     solve,
     stability,
     tension_command,
@@ -51,6 +52,11 @@ COMMANDS = {
         "amplitude and wavelength of scanned profiles",
         measure.add_options,
         measure.run,
+    ),
+    "provenance": Command(
+        "config, code, versions and mesh that a figure, table or state was made from",
+        provenance_command.add_options,
+        provenance_command.run,
     ),
 }
 

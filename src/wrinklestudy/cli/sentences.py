@@ -5,6 +5,7 @@ from typing import Any
 
 from wrinklestudy.cli.output import cell, table, wrapped
 from wrinklestudy.cli.sheet_options import GivenSize
+from wrinklestudy.vocabulary import FEWEST_CELLS
 
 _State = Mapping[str, Any]
 
@@ -28,6 +29,7 @@ def states_text(states: Sequence[_State], size: GivenSize) -> str:
         is_like = "flat" if all(state["status"] == "flat" for state in converged) else "unwrinkled"
         sentences.append(f"The sheet is {is_like} at {len(converged)} of {len(states)} strains.")
     sentences += _whole_sheet(wrinkled)
+    sentences += _coarse_mesh(wrinkled)
     sentences += [f"{failure}." for failure in failures(states)]
     return f"{wrapped(' '.join(sentences))}\n{_states_table(states, size)}"
 
@@ -43,6 +45,23 @@ def _whole_sheet(wrinkled: Sequence[_State]) -> list[str]:
         f"Depending on where across the sheet the pattern sits, the highest is {low} to {high} "
         f"thicknesses at strain {widest['strain']:.6g}.",
         f"The wrinkles appear {_APPEAR[widest['bifurcation']]}: {widest['bifurcation_reason']}.",
+    ]
+
+
+def _coarse_mesh(wrinkled: Sequence[_State]) -> list[str]:
+    """Return a warning if the mesh of a state is too coarse for its wrinkles."""
+    cells = {
+        state["strain"]: state["cells_per_wavelength"]
+        for state in wrinkled
+        if (state.get("cells_per_wavelength") or FEWEST_CELLS) < FEWEST_CELLS
+    }
+    if not cells:
+        return []
+    strain = min(cells, key=lambda strain: cells[strain])
+    return [
+        f"The mesh is too coarse for the wrinkles of {len(cells)} of these states: at strain "
+        f"{strain:.6g} it has {cells[strain]:.1f} cells per wavelength, at least "
+        f"{FEWEST_CELLS:g} are wanted (--cells-across)."
     ]
 
 

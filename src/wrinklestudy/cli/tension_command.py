@@ -67,10 +67,12 @@ def _sheet(arguments: argparse.Namespace, jobs: int) -> "Sheet":
     from wrinklestudy.equilibrium.tension_field import tension_grid
     from wrinklestudy.fem.grid import REFERENCE_THICKNESS
     from wrinklestudy.fem.size import ProblemSize
+    from wrinklestudy.mechanics.relaxed import check_relaxed
     from wrinklestudy.sheet import Sheet
 
     aspect, mesh = arguments.aspect, mesh_settings(arguments)
     material = model(arguments).material
+    check_relaxed(material.law)
     size = ProblemSize(*tension_grid(aspect, mesh).cells)
     size.check_memory(f"L/W = {aspect:g}", wrinkled=False, jobs=jobs)
     return Sheet(aspect, REFERENCE_THICKNESS, material, mesh=mesh)

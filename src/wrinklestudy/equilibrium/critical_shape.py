@@ -9,9 +9,13 @@ from typing import NamedTuple, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
+from wrinklestudy.equilibrium import flat
+from wrinklestudy.equilibrium.modes import critical_mode
+from wrinklestudy.equilibrium.planar import PlanarSettings
 from wrinklestudy.fem.boundary import Symmetry
 from wrinklestudy.fem.element import reference_basis
 from wrinklestudy.fem.space import Space
+from wrinklestudy.mechanics.laws import Law
 from wrinklestudy.typing import Array
 
 _SAMPLES = 9  # on each side of a cell, its ends included
@@ -138,6 +142,36 @@ class WrinkleMode:
         values = _values(self.space, self.shape, np.abs(x).ravel(), np.abs(y).ravel())
         values = values.reshape(x.shape)
         return np.where(y < 0, -values, values) if odd else values
+
+
+def wrinkle_mode(
+    space: Space, law: Law, strain: float, settings: PlanarSettings | None = None
+) -> WrinkleMode:
+    """Return the critical mode of a sheet at a strain.
+
+    Parameters
+    ----------
+    space : Space
+        On the quarter sheet.
+    law : Law
+        Dimensionless material law.
+    strain : float
+        eps = (L' - L)/L of the clamps.
+    settings : PlanarSettings, optional
+        Bending law and parity.
+
+    Raises
+    ------
+    ArithmeticError
+        If there is no flat state, or no thickness wrinkles; one line.
+    """
+    settings = settings or PlanarSettings()
+    symmetry = settings.symmetry
+    state = flat.solve(space, law, strain, symmetry=symmetry)
+    first = critical_mode(state, settings.bending, symmetry)
+    if first.shape is None:
+        raise ArithmeticError(f"strain {strain:g}: wrinkles at no thickness, has no mode")
+    return WrinkleMode.scaled(first.thickness, space, first.shape, symmetry)
 
 
 def _values(space: Space, shape: Array, x: Array, y: Array) -> Array:

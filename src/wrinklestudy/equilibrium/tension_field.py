@@ -19,7 +19,7 @@ from wrinklestudy.fem.grid import Grid, MeshSettings, make_grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.fem.transfer import coarsened, transferred
 from wrinklestudy.mechanics.laws import Law
-from wrinklestudy.mechanics.relaxed import RelaxedLaw
+from wrinklestudy.mechanics.relaxed import RelaxedLaw, check_relaxed
 from wrinklestudy.typing import Array
 
 # 4 x 4 Gauss points: with 3 x 3 the number of Newton steps grows as the mesh gets finer across.
@@ -170,8 +170,7 @@ def solve(
     ValueError
         If the law has a strain that is linear in the plane: its natural width is that of no metric.
     """
-    if law.linear_in_plane:
-        raise ValueError(f"law {law.name}: has no tension field, its strain is linear in the plane")
+    check_relaxed(law)
     lines = grid.grid if isinstance(grid, Space) else grid
     options = _OPTIONS
     if observer is not None:

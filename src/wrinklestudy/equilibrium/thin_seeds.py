@@ -47,8 +47,8 @@ def thin_seed(
         Is told of each iteration of the tension field.
     """
     flat, modes = planar.flat, planar.modes
-    if flat is None or modes is None:
-        return None
+    if flat is None or modes is None or flat.law.linear_in_plane:
+        return None  # a law of linear strain has no tension field
     space = flat.space
     grid = coarsened(space.grid, len(space.grid.x) - 1, _ACROSS)
     field = tension_field.solve(grid, flat.law, flat.strain, observer=observer)

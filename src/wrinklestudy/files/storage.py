@@ -4,6 +4,7 @@ Every file is written under a temporary name in its own folder and renamed when 
 and the same content gives the same bytes, so that a result can be compared and restored exactly.
 """
 
+import errno
 import hashlib
 import json
 import math
@@ -11,14 +12,22 @@ import os
 import platform
 import uuid
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from wrinklestudy.files import origin
+from wrinklestudy.files.records import check
 from wrinklestudy.typing import AnyPath
+
+_DISK = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EIO, errno.EACCES)
+
+
+class DiskError(OSError):
+    """A file cannot be written; one line that names it and says why."""
 
 
 @contextmanager
@@ -39,18 +48,43 @@ def atomic_path(output: AnyPath) -> Iterator[Path]:
     ------
     Path
         Where to write in the meantime.
+
+    Raises
+    ------
+    DiskError
+        If the disk is full or cannot be written; one line that names the file.
     """
     target = Path(output)
-    target.parent.mkdir(parents=True, exist_ok=True)
-    _remove_left_over(target)
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        _remove_left_over(target)
+    except OSError as error:
+        raise DiskError(f"{target}: cannot be written ({error.strerror})") from error
     temporary = target.with_name(
         f".{target.stem}-{_host()}-{os.getpid()}-{uuid.uuid4().hex[:8]}{target.suffix}"
     )
     try:
         yield temporary
         os.replace(temporary, target)
+    except Exception as error:
+        if fault := _fault_of_disk(error):
+            raise DiskError(f"{target}: cannot be written ({fault})") from error
+        raise
     finally:
-        temporary.unlink(missing_ok=True)
+        with suppress(OSError):  # of a disk that can only be read
+            temporary.unlink(missing_ok=True)
+
+
+def _fault_of_disk(error: BaseException | None) -> str | None:
+    """Return what is wrong with the disk, if that is behind an error.
+
+    Libraries that close a file which could not be written fail once more, in their own ways.
+    """
+    while error is not None:
+        if isinstance(error, OSError) and error.errno in _DISK:
+            return os.strerror(error.errno)
+        error = error.__context__
+    return None
 
 
 def _remove_left_over(target: Path) -> None:
@@ -118,10 +152,14 @@ def read_json(path: AnyPath) -> Any:
     Raises
     ------
     ValueError
-        If the file is not JSON; the message names file and line.
+        If the file is not JSON; the message names file and line. `DamagedFileError` if it is not
+        what its record says.
     """
+    check(path)
     try:
         return json.loads(Path(path).read_text(encoding="utf-8"))
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{os.fspath(path)}: is not JSON: {error.reason}") from None
     except json.JSONDecodeError as error:
         message = f"{os.fspath(path)}: line {error.lineno} is not JSON: {error.msg}"
         raise ValueError(message) from None
@@ -155,6 +193,8 @@ def write_h5(
     with atomic_path(output) as path, h5py.File(path, "w") as file:
         for name in sorted(attrs):
             file.attrs[name] = _attribute(name, attrs[name])
+        if origin.current():
+            file.attrs[origin.KEY] = origin.current()
         for name in sorted(datasets):
             file.create_dataset(name, data=datasets[name], track_times=False)
 
@@ -195,7 +235,7 @@ def read_h5(
         Arrays or strings by their full name (``group/name``).
     attrs : dict
         Attributes as plain Python scalars, strings and None; arrays as numpy arrays, lists of
-        strings as lists.
+        strings as lists. What `origin` put there is left out.
 
     Raises
     ------
@@ -203,11 +243,13 @@ def read_h5(
         If there is no such file.
     ValueError
         If the file is not HDF5 or a dataset is missing; the message names the file.
+        `DamagedFileError` if it is not what its record says.
     """
     import h5py
 
     if not Path(path).exists():
         raise FileNotFoundError(f"{os.fspath(path)}: no such file")
+    check(path)
     try:
         file = h5py.File(path, "r")
     except OSError as error:
@@ -218,7 +260,11 @@ def read_h5(
         if missing:
             raise ValueError(f"{os.fspath(path)}: has no dataset {missing[0]!r}")
         datasets = {name: _dataset(file[name]) for name in wanted}
-        attrs = {name: _plain_attribute(value) for name, value in file.attrs.items()}
+        attrs = {
+            name: _plain_attribute(value)
+            for name, value in file.attrs.items()
+            if name != origin.KEY
+        }
     return datasets, attrs
 
 

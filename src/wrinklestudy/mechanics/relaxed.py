@@ -22,6 +22,18 @@ from wrinklestudy.mechanics.laws import Law
 from wrinklestudy.typing import Array, Mask
 
 
+def check_relaxed(law: Law | type[Law]) -> None:
+    """Refuse a law that has no relaxed energy.
+
+    Raises
+    ------
+    ValueError
+        If its strain is linear in the plane: its natural width is that of no metric.
+    """
+    if law.linear_in_plane:
+        raise ValueError(f"law {law.name}: has no tension field, its strain is linear in the plane")
+
+
 class Stretches(NamedTuple):
     """Principal stretches of a metric and the direction of the larger one, (...) each."""
 
@@ -65,7 +77,7 @@ class RelaxedLaw:
 
     @property
     def linear_in_plane(self) -> bool:
-        """As of the law; `equilibrium.tension_field` refuses laws of a linear strain."""
+        """As of the law; `check_relaxed` refuses laws of a linear strain."""
         return self.law.linear_in_plane
 
     def natural_square(self, larger: Array) -> Array:

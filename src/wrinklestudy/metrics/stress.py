@@ -32,7 +32,8 @@ class SampledStress:
         Thickness over thickness at rest.
     cauchy : ndarray, shape (3, m, n)
         True stress of the mid-surface, xx, yy, xy in the tangent plane, in units of mu: x is the
-        direction of the material lines Y = const, y is perpendicular to it in the surface.
+        direction of the material lines Y = const, y is perpendicular to it in the surface. A law of
+        small strains makes no difference between this and other stresses, x and X.
     principal_cauchy : ndarray, shape (2, m, n)
         Its principal values, the larger first.
     bending_energy : ndarray, shape (m, n)
@@ -57,7 +58,8 @@ def sampled_stress(
 
     With the energy W(g) of the material at the metric g = a of the mid-surface the second
     Piola-Kirchhoff stress is S = 2 dW/dg, and the Cauchy stress S^ab x,a x,b / J with
-    J = sqrt(det a) lambda3.
+    J = sqrt(det a) lambda3. Of a law whose strain E is linear in the plane, g = 1 + 2 E is no
+    metric: its stress is S itself, and its principal stretches are 1 + E.
 
     Parameters
     ----------
@@ -73,31 +75,42 @@ def sampled_stress(
     derivatives = np.stack([_beside_lines(whole, x, y, *orders) for orders in _DERIVATIVES])
     surface = section.surface(derivatives)
     metric, law = surface.metric, section.law
-    area = np.sqrt(metric[0] * metric[1] - metric[2] ** 2)
+    stress = law.derivatives(metric)[0] * np.array([2.0, 2.0, 1.0])[:, None, None]
     thickness_stretch = law.thickness_stretch(metric)[0]
-    along = np.sqrt(metric[0])
-    # x,1 = along e_x and x,2 = shear e_x + (area / along) e_y
-    shear, across = metric[2] / along, area / along
-    first, second, mixed = law.derivatives(metric)[0] * np.array([2.0, 2.0, 1.0])[:, None, None]
-    cauchy = np.stack(
-        [
-            first * along**2 + 2.0 * mixed * along * shear + second * shear**2,
-            second * across**2,
-            (mixed * along + second * shear) * across,
-        ]
-    ) / (area * thickness_stretch)
+    if law.linear_in_plane:
+        stretches = 0.5 * (1.0 + _principal(metric))
+    else:
+        stretches = np.sqrt(_principal(metric))
+        stress = _pushed_forward(stress, metric, thickness_stretch)
     bent = section.energy(metric, surface.curvature)
     unbent = section.energy(metric, np.zeros_like(surface.curvature))
     return SampledStress(
         x,
         y,
         whole.evaluate(x, y),
-        np.sqrt(_principal(metric)),
+        stretches,
         thickness_stretch,
-        cauchy,
-        _principal(cauchy),
+        stress,
+        _principal(stress),
         (bent - unbent) / section.thickness,
     )
+
+
+def _pushed_forward(stress: Array, metric: Array, thickness_stretch: Array) -> Array:
+    """Return the Cauchy stress of a second Piola-Kirchhoff stress, (11, 22, 12) each."""
+    first, second, mixed = stress
+    area = np.sqrt(metric[0] * metric[1] - metric[2] ** 2)
+    along = np.sqrt(metric[0])
+    # x,1 = along e_x and x,2 = shear e_x + (area / along) e_y
+    shear, across = metric[2] / along, area / along
+    cauchy = np.stack(
+        [
+            first * along**2 + 2.0 * mixed * along * shear + second * shear**2,
+            second * across**2,
+            (mixed * along + second * shear) * across,
+        ]
+    )
+    return cauchy / (area * thickness_stretch)
 
 
 def _principal(tensor: Array) -> Array:

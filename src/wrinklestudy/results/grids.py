@@ -5,6 +5,8 @@ from pathlib import Path
 import numpy as np
 
 from wrinklestudy.fem.grid import Grid
+from wrinklestudy.files.origin import append_comment
+from wrinklestudy.files.records import check
 from wrinklestudy.files.storage import atomic_path
 
 
@@ -18,6 +20,8 @@ def write_grid(grid: Grid, output: Path | str) -> None:
     quads = np.stack([corner.ravel() for corner in corners], axis=1)
     with atomic_path(output) as path:
         meshio.write(path, meshio.Mesh(nodes, [("quad", quads)]))
+        if path.suffix == ".vtu":
+            append_comment(path)
 
 
 def read_grid(path: Path | str) -> Grid:
@@ -26,9 +30,12 @@ def read_grid(path: Path | str) -> Grid:
     Raises
     ------
     ValueError
-        If the file does not hold the nodes of a tensor grid.
+        If the file does not hold the nodes of a tensor grid; `DamagedFileError` if it is not
+        what its record says.
     """
     import meshio
+
+    check(path)
 
     points = meshio.read(path).points
     x, y = np.unique(points[:, 0]), np.unique(points[:, 1])

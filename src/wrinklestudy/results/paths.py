@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
+from wrinklestudy.files import records
 from wrinklestudy.results.cases import Case, StudySheet, format_value
 
 
@@ -73,9 +74,10 @@ class Paths:
     Parameters
     ----------
     results : str
-        Folder of the results, with a folder for each stage, one for logs and one for run times.
+        Folder of the results, with a folder for each stage, one for logs, one for run times and one
+        for the record of each file (`files.records`).
     figures : str
-        Folder of the figures.
+        Folder of the figures, and of their records.
     """
 
     results: str = "results"
@@ -96,6 +98,17 @@ class Paths:
     def benchmark(self, stage: str) -> str:
         """Return the path of a stage's run times, with the wildcards of its first output."""
         return self._about(stage, "benchmark", ".tsv")
+
+    def record(self, path: str) -> str:
+        """Return the path of the record of a file of a stage (`files.records`), or of a pattern."""
+        file = PurePosixPath(path)
+        root = self.results if file.is_relative_to(self.results) else self.figures
+        below = file.relative_to(root).with_name(f"{file.name}.json")
+        return PurePosixPath(root, records.FOLDER, below).as_posix()
+
+    def records(self, stage: str) -> list[str]:
+        """Return the paths of the records of all outputs of a stage, with their wildcards."""
+        return [self.record(self.pattern(stage, output)) for output in STAGES[stage].outputs]
 
     def _about(self, stage: str, folder: str, suffix: str) -> str:
         first = next(iter(STAGES[stage].outputs.values())).rpartition(".")[0]

@@ -15,7 +15,7 @@ from typing import Any, TypeVar, get_args, get_type_hints
 import numpy as np
 
 from wrinklestudy.typing import AnyPath, Cell
-from wrinklestudy.vocabulary import STATUSES, Status
+from wrinklestudy.vocabulary import FEWEST_CELLS, STATUSES, Status
 
 
 @dataclass(frozen=True)
@@ -117,6 +117,11 @@ class StateRow(SheetIdentity):
     )
     wavelength_zero_over_width: float | None = described(
         "lambda/W from the central zero crossings", measured=True
+    )
+    cells_per_wavelength: float | None = described(
+        f"cells of the mesh in one wavelength across; below {FEWEST_CELLS:g} it is too coarse",
+        measured=True,
+        shown=True,
     )
     arc_width_over_width: float | None = described(
         "W_act/W, arc length of x = 0", measured=True, shown=True

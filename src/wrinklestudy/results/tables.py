@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from os import fspath
 from typing import TYPE_CHECKING, Any
 
+from wrinklestudy.files.records import check
 from wrinklestudy.files.storage import atomic_path
 from wrinklestudy.results.compression import CompressionRow
 from wrinklestudy.results.imperfections import ImperfectionRow
@@ -179,6 +180,7 @@ def _texts(path: AnyPath) -> "pd.DataFrame":
     """Return a CSV file as texts, the header as the first row."""
     import pandas as pd
 
+    check(path)
     try:
         return pd.read_csv(
             path,

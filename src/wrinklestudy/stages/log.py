@@ -29,24 +29,26 @@ def log_cpu(part: str) -> Iterator[None]:
 def log_to(path: str) -> Iterator[None]:
     """Send log messages and warnings to a file, and errors before the job ends with them.
 
-    A `ValueError` or a missing file is a fault of the input: the log gets the traceback, the
-    terminal the one line of its message.
+    A `ValueError` or a missing file is a fault of the input, an `OSError` one of the disk, and a
+    `MemoryError` one of the machine: the log gets the traceback, the terminal the one line of its
+    message. Nobody has the log where the disk is full.
 
     Parameters
     ----------
     path : str
         Log file; an old one is replaced.
     """
-    Path(path).parent.mkdir(parents=True, exist_ok=True)
     form = "%(asctime)s %(levelname)s %(name)s: %(message)s"
-    logging.basicConfig(filename=path, filemode="w", level=logging.INFO, format=form)
-    logging.captureWarnings(True)
+    logging.raiseExceptions = False  # a log that the disk has no room for is no fault of the job
     try:
+        Path(path).parent.mkdir(parents=True, exist_ok=True)
+        logging.basicConfig(filename=path, filemode="w", level=logging.INFO, format=form)
+        logging.captureWarnings(True)
         yield
         _LOGGER.info("job: %.3f s of CPU", time.process_time())
-    except (ValueError, FileNotFoundError) as error:
+    except (ValueError, OSError, MemoryError) as error:
         logging.error(traceback.format_exc())
-        sys.exit(str(error))
+        sys.exit(" ".join(str(error).split()) or "not enough memory")
     except BaseException:
         logging.error(traceback.format_exc())
         raise

@@ -3,7 +3,8 @@
 Snakemake does not see edits in an imported package, and of a script it sees every change. Each rule
 therefore gets the digest of its script and of all modules of this package that the script imports,
 directly or through others. Only the syntax trees count, without docstrings, comments and layout.
-Templates of pages are in packages: a module that imports one has the templates in its digest.
+Templates of pages are in packages: a module that imports one has the templates in its digest. A
+table of numbers beside a module, of its name, is in the digest of the module.
 """
 
 import ast
@@ -38,10 +39,17 @@ def code_digest(
     parts = [_read(Path(script))[0]]
     for name, path in sorted(modules(script, also, sources).items()):
         parts += [name, _read(path)[0]]
-        if path.name == "__init__.py":
-            texts = sorted(path.parent.glob("*.j2"))
-            parts += [part for text in texts for part in (text.name, text.read_text("utf-8"))]
+        for text in _read_by(path):
+            parts += [text.name, text.read_text("utf-8")]
     return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:16]
+
+
+def _read_by(path: Path) -> list[Path]:
+    """Return the templates of a package, and the table beside a module."""
+    if path.name == "__init__.py":
+        return sorted(path.parent.glob("*.j2"))
+    table = path.with_suffix(".csv")
+    return [table] if table.is_file() else []
 
 
 def modules(

@@ -121,3 +121,14 @@ def test_what_is_wrong_is_said_in_one_line(capsys, tmp_path, monkeypatch, words,
     assert (out, err.count("\n")) == ("", 1)
     assert message in err
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.usefixtures("few")
+def test_a_law_without_a_tension_field_has_a_page_without_one(tmp_path):
+    path = tmp_path / "membrane.html"
+    law = ["--law", "foppl-von-karman", "--young", "1e6", "--bending", "fvk"]
+    size = ["--aspect", "2", "--thickness", "1e-3", *COARSE]
+    assert main(["explore", *size, *law, "--strain", "0.1", "--output", str(path)]) == 0
+    numbers = numbers_of(path)
+    assert numbers["tension"] == {}
+    assert numbers["sheets"][0]["states"]["status"] == ["wrinkled"]

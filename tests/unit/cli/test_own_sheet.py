@@ -354,7 +354,7 @@ def test_an_interrupt_is_one_line_and_status_130(jobs):
 def test_the_commands_of_the_recipe_run(tmp_path, monkeypatch, capsys):
     text = (ROOT / "docs" / "recipes" / "own_sheet.md").read_text(encoding="utf-8")
     commands = re.findall(r"^ +wrinklestudy (.*)$", text, re.MULTILINE)
-    assert len(commands) == 6
+    assert len(commands) == 7
     monkeypatch.chdir(tmp_path)
     for name in ("data", "config.yaml"):
         (tmp_path / name).symlink_to(ROOT / name)
@@ -364,3 +364,13 @@ def test_the_commands_of_the_recipe_run(tmp_path, monkeypatch, capsys):
     capsys.readouterr()
     made = {path.name for path in tmp_path.iterdir()}
     assert made == {"data", "config.yaml", "stability.png", "map.png", "sheet.png", "sheet.vtu"}
+
+
+@pytest.mark.parametrize(("across", "warned"), [("14", True), ("30", False)])
+def test_a_mesh_too_coarse_for_the_wrinkles_is_said(capsys, across, warned):
+    """At L/W = 2, t/W = 1e-3 and strain 0.1 a wavelength is an eighth of the width."""
+    size = ["--aspect", "2", "--thickness", "1e-3", *LATEX, "--cells-along", "8"]
+    assert main(["solve", *size, "--cells-across", across, "--strain", "0.1"]) == 0
+    out, _ = capsys.readouterr()
+    assert ("too coarse" in out) == warned
+    assert ("cells per wavelength" in out) == warned

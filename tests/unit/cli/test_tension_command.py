@@ -140,6 +140,17 @@ def test_what_is_wrong_is_said_in_one_line(capsys, words, message):
     assert message in err
 
 
+def test_a_law_without_a_tension_field_is_refused(capsys):
+    words = ["--aspect", "2", "--strain", "0.1", "--law", "foppl-von-karman", "--young", "1e6"]
+    assert main(["tension-field", *words]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err == (
+        "wrinklestudy tension-field: law foppl-von-karman: has no tension field, its strain is "
+        "linear in the plane\n"
+    )
+
+
 def test_a_thickness_is_refused(capsys):
     words = [*COMMAND, *LATEX, "--strain", "0.1", "--thickness", "1e-3"]
     with pytest.raises(SystemExit, match="2"):

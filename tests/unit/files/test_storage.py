@@ -27,6 +27,48 @@ def test_a_failed_write_keeps_the_old_file_and_leaves_no_other(tmp_path):
     assert list(tmp_path.iterdir()) == [output]
 
 
+WRITING = {
+    "h5": "write_h5('{output}', {{'x': np.arange(1e5)}}, {{}})",
+    "json": "write_json('{output}', list(range(10**5)))",
+    "pdf": "save(figure, '{output}')",
+    "png": "save(figure, '{output}')",
+}
+# A limit on the size of files fails as a full disk does, at any write or close.
+ON_A_SMALL_DISK = """
+import resource
+import numpy as np
+from matplotlib.figure import Figure
+from wrinklestudy.files.storage import DiskError, write_h5, write_json
+from wrinklestudy.study.figures.style import save
+
+figure = Figure()
+figure.add_subplot().plot(np.sin(np.arange(1000.0)))
+resource.setrlimit(resource.RLIMIT_FSIZE, (3000, 3000))
+try:
+    {writing}
+except DiskError as error:
+    print(error)
+"""
+
+
+@pytest.mark.parametrize("suffix", WRITING)
+def test_a_disk_that_is_full_is_said_in_a_line_and_nothing_half_is_left(tmp_path, suffix):
+    output = tmp_path / f"state.{suffix}"
+    code = ON_A_SMALL_DISK.format(writing=WRITING[suffix].format(output=output))
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert run.stdout == f"{output}: cannot be written (File too large)\n", run.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_folder_that_cannot_be_one_is_said_in_a_line(tmp_path):
+    (tmp_path / "results").write_text("")
+    with (
+        pytest.raises(storage.DiskError, match=r"cannot be written \(Not a directory\)"),
+        storage.atomic_path(tmp_path / "results" / "a" / "b.csv"),
+    ):
+        pass
+
+
 def test_the_temporary_file_is_a_hidden_neighbour_with_the_same_suffix(tmp_path):
     output = tmp_path / "new" / "strain0.12.h5"
     with storage.atomic_path(output) as path:

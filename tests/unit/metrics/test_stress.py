@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from wrinklestudy import MeshSettings, Sheet, mooney_rivlin
+from wrinklestudy import MeshSettings, Sheet, foppl_von_karman, mooney_rivlin
 from wrinklestudy.fem.boundary import NO_MIRRORS
 from wrinklestudy.fem.grid import Grid
 from wrinklestudy.material.homogeneous import dimensionless_stress
@@ -85,3 +85,18 @@ def test_a_long_flat_sheet_is_in_uniaxial_tension_in_its_middle():
     for field in (fields.cauchy[0], fields.bending_energy, fields.thickness_stretch):
         np.testing.assert_allclose(field, field[::-1], rtol=1e-9, atol=1e-13)
         np.testing.assert_allclose(field, field[:, ::-1], rtol=1e-9, atol=1e-13)
+
+
+def test_a_linear_strain_has_stretches_and_stresses_of_hooke():
+    """At any strain lambda = 1 + E and, in uniaxial tension, sigma = Y E with Y = 2 (1 + nu) mu."""
+    nu, strain = 0.3, 0.4
+    section = Section(foppl_von_karman(1.0e6, nu).law, 1e-3, "fvk")
+    sheet = affine([[1.0 + strain, 0.2], [0.0, 1.0 - nu * strain], [0.0, 0.0]])
+    fields = sampled_stress(sheet, section, (2, 3))
+    np.testing.assert_allclose(fields.cauchy[0], 2.0 * (1.0 + nu) * strain, rtol=1e-12)
+    np.testing.assert_allclose(fields.cauchy[1], 0.0, atol=1e-12)
+    np.testing.assert_allclose(fields.cauchy[2], 0.2, rtol=1e-12)  # mu gamma
+    mean = 1.0 + 0.5 * (1.0 - nu) * strain
+    np.testing.assert_allclose(fields.principal_stretches.mean(axis=0), mean, rtol=1e-12)
+    radius = np.hypot(0.5 * (1.0 + nu) * strain, 0.1)
+    np.testing.assert_allclose(fields.principal_stretches[0], mean + radius, rtol=1e-12)

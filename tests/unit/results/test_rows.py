@@ -14,14 +14,16 @@ from wrinklestudy.results import dictionary
 from wrinklestudy.results.fields import read_wrinkle, write_wrinkle
 from wrinklestudy.results.rows import SheetRow, StabilityRow, StateRow, columns, refuse_twins
 from wrinklestudy.sheet import Sheet
+from wrinklestudy.vocabulary import FEWEST_CELLS
 
 DOCS = Path(__file__).parents[3] / "docs"
-# What `solve --json` has given since the first version; scripts of users rely on it.
+# What `solve --json` gives; scripts of users rely on it.
 SHOWN = [
     "strain",
     "status",
     "amplitude_over_thickness",
     "wavelength_over_width",
+    "cells_per_wavelength",
     "arc_width_over_width",
     "projected_width_over_width",
     "phi_squared",
@@ -55,13 +57,24 @@ def test_a_state_shows_the_documented_numbers_in_their_order(state):
     assert sorted([*marked, *measured, "seconds"]) == sorted(SHOWN)
 
 
+def test_the_cells_of_a_wavelength_are_those_between_two_crests(state):
+    """They contract with the sheet, and half as many again are half as many again."""
+    row = state.row()
+    contracted = row.projected_width_over_width / 24  # the width of one of 2 x 12 cells
+    cells = row.wavelength_over_width / contracted
+    assert row.cells_per_wavelength == pytest.approx(cells)
+    assert cells < FEWEST_CELLS
+    finer = Sheet(2.0, 1e-3, mooney_rivlin(62100.0, 158000.0), mesh=MeshSettings(6, 18)).solve(0.1)
+    assert finer.row().cells_per_wavelength == pytest.approx(1.5 * cells, rel=0.03)
+
+
 def test_a_state_that_did_not_converge_shows_no_measures(sheet):
     state = sheet.solve(0.1, WrinkleSettings(max_iterations=1))
     shown = state.as_dict()
     assert state.status == shown["status"] == "not-converged"
     assert list(shown) == SHOWN
     empty = [name for name, value in shown.items() if value is None]
-    assert empty == SHOWN[2:12]
+    assert empty == SHOWN[2:13]
     assert shown["reason"]
 
 

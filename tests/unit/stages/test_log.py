@@ -48,6 +48,27 @@ def test_a_wrong_input_ends_a_job_with_its_line_and_the_log_has_the_traceback(tm
     assert "Traceback" in path.read_text()
 
 
+@pytest.mark.parametrize(
+    ("error", "line"),
+    [
+        (OSError("a.h5: cannot be written (No space left on device)"), "a.h5: cannot be written"),
+        (MemoryError(), "not enough memory"),
+    ],
+)
+def test_a_fault_of_the_machine_ends_a_job_with_one_line(tmp_path, error, line):
+    with pytest.raises(SystemExit) as ended, own_process(), log_to(str(tmp_path / "job.log")):
+        raise error
+    assert ended.value.code.startswith(line)
+    assert "\n" not in ended.value.code
+
+
+def test_a_log_that_cannot_be_written_ends_a_job_with_one_line(tmp_path):
+    (tmp_path / "log").write_text("")
+    with pytest.raises(SystemExit) as ended, own_process(), log_to(f"{tmp_path}/log/job.log"):
+        raise AssertionError("the job must not begin")
+    assert str(tmp_path / "log") in ended.value.code
+
+
 def test_an_error_of_the_program_goes_on_after_it_is_logged(tmp_path):
     path = tmp_path / "job.log"
     with pytest.raises(KeyError), own_process(), log_to(str(path)):

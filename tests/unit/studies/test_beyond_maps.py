@@ -78,8 +78,6 @@ def sudden(strain):
 CASES = [
     ("one-island", {}, "agree"),
     ("one-island", {"highest": lambda a: ridge(a) * (1.2 + np.cos(6.0 * a))}, "disagree"),
-    ("published-end-of-the-island", {}, "agree"),
-    ("published-end-of-the-island", {"highest": lambda a: ridge(a, last=2.66)}, "disagree"),
     ("tips-as-of-single-sheets", {}, "agree"),
     ("tips-as-of-single-sheets", {"highest": lambda a: ridge(a, first=1.56)}, "disagree"),
     ("tips-between-lengths", {}, "agree"),

@@ -8,8 +8,19 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from made_up_rows import SHEET, state_row
-from made_up_study import NEVER, STRAIN, all_bending, field_table, lengths, material, world
+from made_up_study import (
+    MATERIALS,
+    NEVER,
+    STRAIN,
+    all_bending,
+    field_table,
+    lengths,
+    material,
+    world,
+)
 
+from wrinklestudy.studies.panaitescu2019.claims import persistence
+from wrinklestudy.studies.panaitescu2019.solid import solid_ends
 from wrinklestudy.study.claims.discovery import load_claims
 from wrinklestudy.study.claims.finding import VERDICTS
 
@@ -40,6 +51,7 @@ AS_THE_PAPER = {
     "svk-much-lower": "agree",
     "none-when-short": "agree",
     "wrinkles-when-long": "agree",
+    "at-variance-with-earlier-island": "disagree",  # with t/L held the sheet is 1.5e-3 W thick
     "island-of-lengths": "agree",
     "thin-enough": "agree",
     "threshold-vanishes": "agree",
@@ -68,6 +80,14 @@ AS_THE_PAPER = {
 }
 
 STEEP = {"constants": (0.2, 3.0), "central": (0.1, 1.5)}
+
+# The paper's constants, of which the solid is known: it decays at 0.3988
+OF_THE_SOLID = world(
+    (material(constants={"c10": 6.21e4, "c01": 1.58e5}), *MATERIALS[1:]),
+    base={"decay": 0.3984, "modulus": 6.0 * (6.21e4 + 1.58e5)},
+    fixed={"decay": 0.32, "modulus": 6.0 * (6.21e4 + 1.58e5)},
+    fvk={"decay": 0.59, "modulus": 6.0 * (6.21e4 + 1.58e5)},
+)
 
 # claim, study, verdict: each with the physics changed so that the claim comes out another way
 CASES = [
@@ -112,6 +132,7 @@ CASES = [
     ("around-three-tenths", world(nh={"decay": 0.39}), "disagree"),
     ("around-three-tenths", world(fixed={"decay": 0.32}), "depends on"),
     ("around-three-tenths", world(fixed=None, fvk=None), "not computed"),
+    ("around-three-tenths", OF_THE_SOLID, "agree"),  # fixed thickness is not what the solid does
     ("material-nonlinearity", world(nh={"decay": 0.39}, svk={"decay": 0.37}), "disagree"),
     ("material-nonlinearity", world(nh=None, svk=None), "not computed"),
     ("svk-much-lower", world(svk={"decay": 0.3}), "disagree"),
@@ -121,6 +142,8 @@ CASES = [
     ("none-when-short", world(short=None), "not computed"),
     ("wrinkles-when-long", world(a30=NEVER), "disagree"),
     ("wrinkles-when-long", world(a30=None), "not computed"),
+    ("at-variance-with-earlier-island", world(a30={"critical": 1.6e-3}), "agree"),
+    ("at-variance-with-earlier-island", world(a30=None), "not computed"),
     ("island-of-lengths", world(a35={"birth": 0.1, "decay": 0.2, "peak": 0.15}), "disagree"),
     ("island-of-lengths", world(short={"birth": 0.1, "decay": 0.2, "peak": 0.15}), "disagree"),
     ("island-of-lengths", world(a25=NEVER), "disagree"),
@@ -216,6 +239,17 @@ def test_other_physics_gives_another_verdict(key, study, verdict):
     assert finding.verdict == verdict, finding
     assert finding.explanation
     assert not re.search(r"\b(nan|inf)\b", finding.explanation)
+
+
+def test_the_verdict_on_three_tenths_names_the_solid(monkeypatch):
+    finding = BY_KEY["around-three-tenths"].finding(OF_THE_SOLID)
+    solid = {value.name: value.number for value in finding.values}["decay strain of the solid"]
+    assert solid == solid_ends()["decay"].strain
+    assert "with thinning, not with fixed-thickness or fvk" in finding.explanation
+    # a solid that decayed where the plate of fixed thickness does would leave both reasons open
+    other = {"decay": replace(solid_ends()["decay"], strain=0.32)}
+    monkeypatch.setattr(persistence, "solid_ends", lambda: other)
+    assert BY_KEY["around-three-tenths"].finding(OF_THE_SOLID).verdict == "depends on"
 
 
 @pytest.mark.parametrize(("key", "factor", "columns", "verdict"), FIELDS)

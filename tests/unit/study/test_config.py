@@ -36,6 +36,7 @@ def changed(path, value):
 
 
 STRAIN = ("sheets", 0, "strain")
+MEMBRANE = {"law": "foppl-von-karman", "constants": {"young": 1.0e6, "poisson": 0.5}}
 
 
 @pytest.mark.parametrize(
@@ -484,7 +485,7 @@ def test_the_default_study_has_the_sheets_of_the_paper():
         (
             ("study",),
             "panaitescu",
-            "study = 'panaitescu': must be one of beyond, panaitescu2019, or a ",
+            "study = 'panaitescu': must be one of beyond, literature, panaitescu2019, or a ",
         ),
         (("study",), 2019, "study = 2019: must be text"),
         (("figures", "names"), [], "figures.names = []: must be a list with at least one entry"),
@@ -563,3 +564,16 @@ def test_a_law_is_refused_with_a_bending_law_that_does_not_go_with_it():
         parse_config(raw, "config.yaml")
     line = "materials.latex: bending = 'thinning': must be fvk with the law foppl-von-karman"
     assert line in str(refused.value)
+
+
+def test_a_law_without_a_tension_field_is_refused_before_any_job():
+    """It bends by one law alone, so that no sheet may name it with another either."""
+    raw = changed(("materials", "membrane"), MEMBRANE)
+    raw["tension"] = [*raw["tension"], {"material": "membrane", "aspect": [2], "strain": [0.1]}]
+    line = (
+        "config.yaml: tension[1].material = 'membrane': law foppl-von-karman: has no tension "
+        "field, its strain is linear in the plane"
+    )
+    with pytest.raises(ConfigError) as caught:
+        parse_config(raw, "config.yaml")
+    assert str(caught.value) == line

@@ -148,6 +148,16 @@ def test_the_templates_of_a_package_count_where_it_is_imported(source):
     assert before[1] == after[1]
 
 
+def test_the_table_beside_a_module_counts_with_it(source):
+    (source / "src/wrinklestudy/solid.py").write_text("FILE = __file__\n")
+    (source / "claims.py").write_text("from wrinklestudy import solid\n")
+    before = [digest(source, stage) for stage in ("claims", "planar")]
+    (source / "src/wrinklestudy/solid.csv").write_text("strain\n0.4\n")
+    after = [digest(source, stage) for stage in ("claims", "planar")]
+    assert before[0] != after[0]
+    assert before[1] == after[1]
+
+
 def test_code_may_lie_in_several_folders(source, tmp_path):
     beside = tmp_path / "beside" / "evidence"
     beside.mkdir(parents=True)

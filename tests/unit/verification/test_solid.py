@@ -1,16 +1,24 @@
 """The solid of the verification: law, element and condensation against FElupe and closed forms."""
 
+from pathlib import Path
+
 import felupe
 import numpy as np
+import pandas as pd
 import pytest
 
 from verification.groups import solid as group
+from verification.solid_run import write_best
+from verification.tools import solid_table
 from verification.tools.sheets import LATEX, NEO_HOOKEAN, SVK
 from verification.tools.solid_law import SolidLaw
 from verification.tools.solid_space import solid_space
 from verification.tools.solid_states import SolidSheet, cubic
 from wrinklestudy.fem.factorisation import symmetric
 from wrinklestudy.fem.grid import Grid
+from wrinklestudy.studies.panaitescu2019.solid import FILE, solid_ends
+
+ROOT = Path(__file__).parents[3]
 
 LAW = SolidLaw.of(LATEX)
 
@@ -207,3 +215,12 @@ def test_the_verdict_on_a_bending_law_follows_its_numbers(decay, says):
         "decay": group.Estimate(0.3988, 2e-4, 0.3988, 0.0, 0.0),
     }
     assert says in group.verdicts(best, {"thinning": (0.0247, decay)})
+
+
+def test_the_study_reads_what_follows_from_the_kept_table(tmp_path):
+    write_best(pd.read_csv(ROOT / solid_table.ENDS), tmp_path / "solid.csv")
+    assert (tmp_path / "solid.csv").read_text() == FILE.read_text()
+    ends = solid_ends()
+    assert ends.keys() == {"birth", "decay"}
+    assert ends["decay"].ratio == pytest.approx(LATEX.law.c01 / LATEX.law.c10, rel=1e-6)
+    assert all(0.0 < end.bar < group.ERROR_BAR for end in ends.values())

@@ -88,21 +88,20 @@ def islands_between(study: StudyTables, held: Held) -> dict[str, list[Island]]:
     }
 
 
-def law_of(study: StudyTables, model: str, bending: str) -> Law:
-    """Return the law of a model; a variant is named after its material and bending law.
+def law_of(study: StudyTables, model: str) -> Law:
+    """Return the law of a model; the name of a variant begins with that of its material.
 
     Raises
     ------
     MissingError
         If the material is not there.
     """
-    for name in (model, model.removesuffix(f"-{bending}")):
-        if name in study.given:
-            return study.given[name].law
-        for fitted in study.materials:
-            if fitted.name == name:
-                return fitted.fit.material().law
-    raise MissingError(f"the material of {model}")
+    laws = {fitted.name: fitted.fit.material().law for fitted in study.materials}
+    laws |= {name: material.law for name, material in study.given.items()}
+    own = [name for name in laws if model == name or model.startswith(f"{name}-")]
+    if not own:
+        raise MissingError(f"the material of {model}")
+    return laws[max(own, key=len)]
 
 
 @lru_cache(maxsize=1)  # claims and table share them: a second of CPU each
@@ -125,7 +124,7 @@ def tips(study: StudyTables) -> tuple[TipOfModel, ...]:
 def _tips(study: StudyTables) -> Iterator[TipOfModel]:
     for (model, bending), known in ridges(study).items():
         between = interpolated(known)
-        ridge = RidgeOfLaw(law_of(study, model, bending), PlanarSettings(bending=bending))
+        ridge = RidgeOfLaw(law_of(study, model), PlanarSettings(bending=bending))
         for held, thickness in HELD:
             for island in islands(known, between, thickness, held):
                 for end, guess in (("first", island.first), ("last", island.last)):

@@ -10,6 +10,7 @@ from pydantic import ValidationError
 
 from wrinklestudy.mechanics.bending import check_bending
 from wrinklestudy.mechanics.laws import law_of
+from wrinklestudy.mechanics.relaxed import check_relaxed
 from wrinklestudy.results import cases
 from wrinklestudy.results.imperfect_sheets import check_imperfect, repeated_names
 from wrinklestudy.study.config.blocks import (
@@ -136,6 +137,7 @@ def _contradictions(study: StudyConfig) -> Iterator[str]:
     entries = study.imperfection_series
     yield from _wrong_series("imperfections", entries, models, "materials or variants")
     yield from _wrong_imperfections(study)
+    yield from _without_tension_field(study)
     yield from _wrong_bendings(study)
     yield from _missing_figure_sheets(study)
 
@@ -220,6 +222,18 @@ def _wrong_bendings(study: StudyConfig) -> Iterator[str]:
             check_bending(law_of(material.law), bending)
         except ValueError as error:
             yield f"{'variants' if variant else 'materials'}.{name}: {error}"
+
+
+def _without_tension_field(study: StudyConfig) -> Iterator[str]:
+    """Yield which entries of tension are of a law without a tension field."""
+    for i, series in enumerate(study.tension_series):
+        material = study.materials.get(series.material)
+        if material is None:
+            continue  # already refused
+        try:
+            check_relaxed(law_of(material.law))
+        except ValueError as error:
+            yield f"tension[{i}].material = {series.material!r}: {error}"
 
 
 def _missing_figure_sheets(study: StudyConfig) -> Iterator[str]:

@@ -12,11 +12,13 @@ from wrinklestudy.study.figures import measured, style
 from wrinklestudy.study.figures.series import labels, note
 from wrinklestudy.study.figures.style import GREY, Look, looks
 from wrinklestudy.study.measurements import Points, SheetSize
+from wrinklestudy.vocabulary import FEWEST_CELLS
 
 # An axis begins this fraction of its highest value below zero, to leave room for marks of holes.
 BELOW = 0.09
 # Labels of marks that several series may have.
-SHARED = ("flat", "not converged", "birth, decay")
+COARSE = f"fewer than {FEWEST_CELLS:g} cells per wavelength"
+SHARED = ("flat", "not converged", "birth, decay", COARSE)
 
 
 def styled(series: list[SheetStates]) -> list[tuple[SheetStates, Look]]:
@@ -30,7 +32,10 @@ def styled(series: list[SheetStates]) -> list[tuple[SheetStates, Look]]:
 
 
 def points(axes: Axes, sheet: SheetStates, look: Look, column: str, factor: float = 1.0) -> None:
-    """Draw a column over strain: wrinkled states filled, flat ones open, holes on the axis."""
+    """Draw a column over strain: wrinkled states filled, flat ones open, holes on the axis.
+
+    States whose mesh is too coarse for their wrinkles are crossed through.
+    """
     strain, value = sheet.column("strain"), factor * sheet.column(column)
     wrinkled, flat = sheet.of_status("wrinkled"), sheet.of_status("flat")
     for which, face, label in ((wrinkled, look.color, look.label), (flat, "white", "flat")):
@@ -45,6 +50,9 @@ def points(axes: Axes, sheet: SheetStates, look: Look, column: str, factor: floa
                 mew=0.6,
                 label=label,
             )
+    few = wrinkled & (sheet.column("cells_per_wavelength") < FEWEST_CELLS) & np.isfinite(value)
+    if few.any():
+        axes.plot(strain[few], value[few], "+", color=GREY, ms=7.0, mew=0.6, label=COARSE)
     holes(axes, sheet, look.color)
 
 

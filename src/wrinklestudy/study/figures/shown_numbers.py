@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
 from matplotlib.lines import Line2D
 
+from wrinklestudy.files.origin import comment_line
 from wrinklestudy.files.storage import atomic_path
 from wrinklestudy.typing import AnyPath, Array
 
@@ -84,9 +85,11 @@ def _colour(artist: Artist) -> str:
 def write_numbers(figure: Figure, path: AnyPath) -> None:
     """Write what a figure shows as CSV, whole or not at all.
 
-    Comment lines name the axes of each panel. The columns are panel, kind, series, x, y, value.
+    Comment lines say where the figure comes from and name the axes of each panel. The columns are
+    panel, kind, series, x, y, value.
     """
     with atomic_path(path) as temporary, open(temporary, "w", encoding="utf-8", newline="") as file:
+        file.write(comment_line())
         for number, axes in enumerate(figure.axes, 1):
             names = [text for text in (axes.get_xlabel(), axes.get_ylabel()) if text]
             title = f" ({axes.get_title()})" if axes.get_title() else ""

@@ -76,7 +76,7 @@ def contours(axes: Axes, shown: StrainMap, label: Literal["t/W", "t/L"] = "t/W")
     if not levels:
         axes.text(0.5, 0.5, "no sheet wrinkles", transform=axes.transAxes, ha="center")
         return
-    strains, aspects, values = _finer(shown)
+    strains, aspects, values = finer(shown)
     # the lowest shade begins at the lowest contour
     shades, norm = [*levels, 10.0 * levels[-1]], LogNorm(0.7 * levels[0], 3.0 * levels[-1])
     axes.contourf(strains, aspects, values, shades, norm=norm, cmap="YlGnBu", alpha=0.75, zorder=0)
@@ -90,8 +90,8 @@ def contours(axes: Axes, shown: StrainMap, label: Literal["t/W", "t/L"] = "t/W")
     axes.set_title(f"${label}$", loc="right", fontsize=7.0, pad=2.0)
 
 
-def _finer(shown: StrainMap) -> tuple[Array, Array, "np.ma.MaskedArray[Any, Any]"]:
-    """Return strains, L/W and a thickness between those of a map; around holes as they are.
+def finer(shown: StrainMap) -> tuple[Array, Array, "np.ma.MaskedArray[Any, Any]"]:
+    """Return strains, L/W and thicknesses between those of a map; around holes as they are.
 
     At zero strain nothing wrinkles. The square of the thickness is smooth there.
     """

@@ -12,6 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure, FigureBase, SubFigure
 
+from wrinklestudy.files import origin
 from wrinklestudy.files.storage import atomic_path
 from wrinklestudy.mechanics.laws import LAWS
 
@@ -56,7 +57,7 @@ _RC: dict[Any, Any] = {
 # The backend stays as it is: a figure is saved without one, and to set it may load a window system.
 _KEPT = {"backend", "backend_fallback"}
 
-_METADATA: dict[str, dict[str, None]] = {
+_METADATA: dict[str, dict[str, str | None]] = {
     ".pdf": {"CreationDate": None},
     ".png": {"Software": None},
     ".svg": {"Date": None},
@@ -198,6 +199,7 @@ def grow(figure: FigureBase, height: float) -> None:
 
 
 def save(figure: Figure, path: str | PathLike[str]) -> None:
-    """Write the figure whole or not at all, without a date in it."""
+    """Write the figure whole or not at all, with its origin and without a date in it."""
+    suffix = Path(path).suffix
     with atomic_path(path) as temporary:
-        figure.savefig(temporary, metadata=_METADATA[Path(path).suffix])
+        figure.savefig(temporary, metadata=_METADATA[suffix] | origin.metadata(suffix))

@@ -21,10 +21,6 @@ from wrinklestudy.study.claims.finding import (
 from wrinklestudy.study.claims.tables import StudyTables
 
 TO = 0.005  # of the L/W of a tip
-# Q. Li and T. J. Healey, J. Mech. Phys. Solids 97 (2016), as the paper under study quotes it; that
-# they hold length and thickness is inferred from the agreement
-PUBLISHED_END, ROUNDED = 2.6, 0.05
-PUBLISHED_MODELS = ("mr-010-fvk", "latex-nh-fvk")
 # Found from single sheets before there were maps, at t/L = 5e-4
 EARLIER: Mapping[str, Mapping[str, float]] = {
     "mr-010-fvk": {"first": 1.545, "last": 2.592},
@@ -122,43 +118,6 @@ def island_separates_the_paper(study: StudyTables) -> Finding:
 
 @claim(
     order=(4, 0, 3),
-    place="Li and Healey, J. Mech. Phys. Solids 97 (2016), as the paper quotes it",
-    statement=f"With length and thickness held, wrinkles end at L/W = {PUBLISHED_END:g}.",
-    reading=f"At t/L = {maps.PUBLISHED_OVER_LENGTH:g}, bending of Föppl-von Kármán plates, "
-    "C10 = 10 C01 and neo-Hookean sheets. Which t/L was held could not be looked up: it is t/W = "
-    "1e-3 at L/W = 2.",
-    tolerance=f"last L/W of each model within {ROUNDED:g}, the rounding of the published number; "
-    "with t/W held instead, none within it",
-)
-def published_end_of_the_island(study: StudyTables) -> Finding:
-    """Compare the upper tip with the published one, for either ratio held."""
-    held, other = (
-        {
-            m: e["last"]
-            for m, e in tips_of(study, h).items()
-            if m in PUBLISHED_MODELS and "last" in e
-        }
-        for h in ("t/L", "t/W")
-    )
-    if not held:
-        raise MissingError(f"an upper tip of {' or '.join(PUBLISHED_MODELS)}")
-    outcomes = {
-        model: abs(last - PUBLISHED_END) <= ROUNDED
-        and not abs(other.get(model, math.nan) - PUBLISHED_END) <= ROUNDED
-        for model, last in held.items()
-    }
-    verdict, depends = verdict_across(outcomes, "the model")
-    texts = [
-        f"{model}: {last:.4g} with t/L held, {number_text(other.get(model, math.nan), 4)} with t/W"
-        for model, last in held.items()
-    ]
-    values = [Value(f"last L/W, {m}, t/L held", v, digits=4) for m, v in held.items()]
-    values += [Value(f"last L/W, {m}, t/W held", v, digits=4) for m, v in other.items()]
-    return Finding(verdict, tuple(values), f"{'; '.join(texts)}.", depends)
-
-
-@claim(
-    order=(4, 0, 4),
     place=f"t/L = {maps.PUBLISHED_OVER_LENGTH:g}",
     statement="Islands from maps end where single sheets solved before ended.",
     reading="Föppl-von Kármán bending; SVK with Poisson's ratio 1/2.",
@@ -186,7 +145,7 @@ def tips_as_of_single_sheets(study: StudyTables) -> Finding:
 
 
 @claim(
-    order=(4, 0, 5),
+    order=(4, 0, 4),
     place="all tips",
     statement="Between the L/W of a map its tips can be interpolated.",
     reading="Cubic splines through the largest critical thickness of each L/W, as on the figures, "
@@ -205,7 +164,7 @@ def tips_between_lengths(study: StudyTables) -> Finding:
 
 
 @claim(
-    order=(4, 0, 6),
+    order=(4, 0, 5),
     place="all points of all maps",
     statement="Symmetric and antisymmetric wrinkles appear on sheets of the same thickness.",
     reading=f"Where sheets of t/W = {COUNTED:g} or more wrinkle.",
@@ -241,7 +200,7 @@ def parities_agree(study: StudyTables) -> Finding:
 
 
 @claim(
-    order=(4, 0, 7),
+    order=(4, 0, 6),
     place="where the thickest sheet of each L/W wrinkles",
     statement="Short sheets wrinkle in the middle, long ones in two zones near the ends; the "
     "change is near L/W = 3.5.",
@@ -278,7 +237,7 @@ def two_zones(study: StudyTables) -> Finding:
 
 
 @claim(
-    order=(4, 0, 8),
+    order=(4, 0, 7),
     place=f"sheets with L/W of {LONG:g} and more",
     statement="On long sheets the zones stay at one distance from the clamps, in widths.",
     reading="At the strain of the map nearest 0.1, undeformed sheet.",

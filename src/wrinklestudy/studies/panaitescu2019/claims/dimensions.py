@@ -1,15 +1,17 @@
 """Claims on length and thickness: which sheets wrinkle."""
 
+from itertools import pairwise
+
 import numpy as np
 
 from wrinklestudy.results.sheets import MissingError, SheetStates
 from wrinklestudy.study.claims.finding import Finding, Value, claim, number_text, verdict_of
 from wrinklestudy.study.claims.tables import StudyTables
-from wrinklestudy.typing import Array
 
 SHORT, LONG = 1.5, 3.0  # L/W
 CUTOFF_RANGE = (1.5, 3.5)  # L/W: the shortest and longest sheets of the paper
-EARLIER_ISLAND = 2.6  # L/W, upper end that Li and Healey predict
+# L/W, upper end that Li and Healey predict (J. Mech. Phys. Solids 97, 2016), and its rounding
+EARLIER_ISLAND, SAME_END = 2.6, 0.05
 
 _PEAK = "max_amplitude_over_thickness"
 
@@ -44,8 +46,7 @@ def none_when_short(study: StudyTables) -> Finding:
 @claim(
     order=(3, 4, 2),
     place="Sec. III.D, Fig. 6a",
-    statement="A sheet of L/W = 3 wrinkles over some range of strain, while Li and Healey "
-    "predict that it stays flat.",
+    statement="A sheet of L/W = 3 wrinkles over some range of strain.",
     tolerance="a birth strain (eigenvalue problem)",
 )
 def wrinkles_when_long(study: StudyTables) -> Finding:
@@ -66,6 +67,46 @@ def wrinkles_when_long(study: StudyTables) -> Finding:
 
 @claim(
     order=(3, 4, 3),
+    place="Sec. III.D, Fig. 6a",
+    statement="That a sheet of L/W = 3 wrinkles is at variance with Li and Healey, who predict "
+    "that it stays flat.",
+    reading="Their boundaries hold length and thickness while the width varies, so that t/L is "
+    "that of the sheet of the text; here width and thickness are held. That they hold this t/L is "
+    "inferred from the agreement of the upper ends. It is at variance if a sheet of L/W = 3 with "
+    "this t/L wrinkles too.",
+    tolerance="the largest critical thickness over strain exceeds that thickness",
+)
+def at_variance_with_earlier_island(study: StudyTables) -> Finding:
+    """Ask whether the long sheet wrinkles with t/L in place of t/W held."""
+    sheet, own = study.sheet_with(aspect=LONG), study.sheet
+    over_length = own.thickness / own.aspect
+    given, highest = over_length * LONG, sheet.max_critical_thickness
+    if not np.isfinite(highest):
+        raise MissingError(f"the largest critical thickness of {sheet.label}")
+    sheets = list(study.sheets_by("aspect").values())
+    _, end = _ends(
+        [(s.aspect, s.max_critical_thickness / (over_length * s.aspect)) for s in sheets]
+    )
+    does = "wrinkles" if highest > given else "stays flat"
+    return Finding(
+        verdict_of(highest > given),
+        (
+            Value("largest critical thickness τ/W", highest),
+            Value("t/W with the t/L of the sheet of the text", given),
+            Value("that t/L", over_length),
+            Value("upper cutoff in L/W with t/L held", end),
+            Value("that of Li and Healey", EARLIER_ISLAND),
+        ),
+        f"With t/L = {over_length:g} held, a sheet of L/W = {LONG:g} is {given:.3g} W thick and "
+        f"{does}; with t/W = {sheet.thickness:g} held it "
+        f"{'wrinkles' if sheet.wrinkles else 'stays flat'}. With t/L held the range of L/W ends at "
+        f"{number_text(end)}, Li and Healey's at {EARLIER_ISLAND:g}.",
+        sheets=tuple(dict.fromkeys((sheet, *sheets))),
+    )
+
+
+@claim(
+    order=(3, 4, 4),
     place="Abstract, Sec. III.D, Fig. 6a",
     statement="L/W has a lower and an upper limit, outside of which sheets do not wrinkle.",
     reading="At this thickness the lengths at which sheets wrinkle form an island, and it ends "
@@ -76,15 +117,13 @@ def wrinkles_when_long(study: StudyTables) -> Finding:
 def island_of_lengths(study: StudyTables) -> Finding:
     """Find both ends of the range of L/W, where the largest critical thickness equals t."""
     sheets = list(study.sheets_by("aspect").values())
-    aspects = np.array([sheet.aspect for sheet in sheets])
-    excess = np.array([_margin(sheet) - 1.0 for sheet in sheets])
-    wrinkle = np.flatnonzero([sheet.wrinkles for sheet in sheets])
-    if not len(wrinkle) or aspects[0] > CUTOFF_RANGE[0] or aspects[-1] < CUTOFF_RANGE[1]:
+    aspects = [sheet.aspect for sheet in sheets]
+    wrinkle = [k for k, sheet in enumerate(sheets) if sheet.wrinkles]
+    if not wrinkle or aspects[0] > CUTOFF_RANGE[0] or aspects[-1] < CUTOFF_RANGE[1]:
         low, high = CUTOFF_RANGE
         raise MissingError(f"sheets that wrinkle and others with L/W from {low:g} to {high:g}")
-    first, last = int(wrinkle[0]), int(wrinkle[-1])
-    lower = _crossing(aspects, excess, first - 1) if first > 0 else np.nan
-    upper = _crossing(aspects, excess, last) if last < len(sheets) - 1 else np.nan
+    first, last = wrinkle[0], wrinkle[-1]
+    lower, upper = _ends([(sheet.aspect, _margin(sheet)) for sheet in sheets])
     names = ", ".join(f"{aspects[k]:g}" for k in wrinkle)
     both = bool(np.isfinite([lower, upper]).all())
     return Finding(
@@ -96,20 +135,31 @@ def island_of_lengths(study: StudyTables) -> Finding:
             Value("longest sheet that wrinkles: L/W", float(aspects[last])),
         ),
         f"Sheets with L/W = {names} wrinkle. Between them and their flat neighbours the largest "
-        f"critical thickness equals t at L/W = {number_text(lower)} and {number_text(upper)}; "
-        f"Li and Healey's island ends at {EARLIER_ISLAND:g}.",
+        f"critical thickness equals t at L/W = {number_text(lower)} and {number_text(upper)}.",
         sheets=tuple(sheets),
     )
 
 
-def _crossing(aspects: Array, excess: Array, k: int) -> float:
-    """Return where a straight line between two neighbours is zero."""
-    a, b = excess[k], excess[k + 1]
-    return float(aspects[k] + (aspects[k + 1] - aspects[k]) * a / (a - b))
+def _ends(margins: list[tuple[float, float]]) -> tuple[float, float]:
+    """Return the first and the last L/W at which the largest critical thickness equals t.
+
+    Parameters
+    ----------
+    margins : list of (float, float)
+        L/W, and the largest critical thickness over t, by L/W; linear between neighbours. An end
+        beyond them is NaN.
+    """
+    ups: list[float] = []
+    downs: list[float] = []
+    for (a, here), (b, there) in pairwise(margins):
+        if (here > 1.0) != (there > 1.0):
+            crossing = a + (b - a) * (here - 1.0) / (here - there)
+            (ups if there > 1.0 else downs).append(crossing)
+    return (ups[0] if ups else np.nan, downs[-1] if downs else np.nan)
 
 
 @claim(
-    order=(3, 4, 4),
+    order=(3, 4, 5),
     place="Abstract, Secs. III.D and V, Fig. 6b",
     statement="Only sheets that are thin enough for their width wrinkle.",
     reading="At the length of the paper's sheet thick sheets never wrinkle and all thinner ones "

@@ -1,0 +1,1 @@
+"""The further tables of the study, one module each."""
