@@ -21,7 +21,7 @@ IMPERFECTION_PATTERN = r"[a-z][a-z0-9.]*(?:[-_][a-z0-9.]+)*"
 
 _STIFF = 1.0e30  # Pa: a sheet with a weight, but next to none
 
-Given = float | str | tuple[float, ...]
+Amount = float | str | tuple[float, ...]
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class ImperfectSheet:
 
     sheet: StudySheet
     symmetry: Part = "whole"
-    given: tuple[tuple[str, Given], ...] = ()
+    given: tuple[tuple[str, Amount], ...] = ()
 
     @property
     def name(self) -> str:
@@ -70,7 +70,7 @@ class ImperfectSheet:
         return None if isinstance(value, str) or self.kind == COMBINED else value
 
     @property
-    def _main(self) -> tuple[tuple[str, Given] | None, list[str]]:
+    def _main(self) -> tuple[tuple[str, Amount] | None, list[str]]:
         """Return the first thing that is imperfect, and what besides its size tells its kind."""
         if not self.given:
             return None, []
@@ -141,7 +141,7 @@ def _key(key: str) -> str:
     return key.replace("_", "-")
 
 
-def _value(value: Given) -> str:
+def _value(value: Amount) -> str:
     if isinstance(value, str):
         stem = PurePosixPath(value).stem.lower()
         return "".join(c if c.isascii() and c.isalnum() else "." for c in stem)

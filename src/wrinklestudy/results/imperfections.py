@@ -10,7 +10,7 @@ if TYPE_CHECKING:  # to read a table needs no finite elements
     from wrinklestudy.equilibrium.ranges import Stability
     from wrinklestudy.results.whole import WholeState
 
-STATUSES = ("wrinkled", "unwrinkled", "flat", "not-converged")
+_STATUSES = ("wrinkled", "unwrinkled", "flat", "not-converged")
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class ImperfectionRow(Row):
     parity: str = described("of the pattern at the centre: antisymmetric or symmetric")
     status: str = described(
         "wrinkled, unwrinkled (not flat, but too thick to wrinkle), flat or not-converged",
-        allowed=STATUSES,
+        allowed=_STATUSES,
     )
     amplitude_low: float | None = described("least A/t over the phase of the pattern")
     amplitude_high: float | None = described("largest A/t over the phase of the pattern")

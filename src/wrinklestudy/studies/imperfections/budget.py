@@ -104,7 +104,7 @@ def _of_rubber(study: StudyTables) -> list[Share]:
     ]
     if UNIAXIAL in fits and ALL_MODES in fits:
         one, every = (_at(found, fits[name]) for name in (UNIAXIAL, ALL_MODES))
-        what = f"fit to one mode of test or to all ({UNIAXIAL} against {ALL_MODES})"
+        what = f"one mode of test against all: {UNIAXIAL} and {ALL_MODES}, decay of this sheet"
         shares.append(Share("rubber", what, abs(one - every)))
     return shares
 

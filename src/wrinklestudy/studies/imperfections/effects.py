@@ -12,8 +12,8 @@ from wrinklestudy.results.sheets import MissingError
 from wrinklestudy.study.claims.tables import StudyTables
 from wrinklestudy.typing import Array
 
-Row = Mapping[Any, Any]  # by column
-Rows = Sequence[Row]
+ImperfectRow = Mapping[Any, Any]  # a row by column
+ImperfectRows = Sequence[ImperfectRow]
 
 AMPLITUDE = 0.02  # of A: what an experiment can tell
 DECAY = 0.01  # of the decay strain: half of a step between strains of an experiment
@@ -173,7 +173,7 @@ class Effect:
         return float(change[0] * (size / self.sizes[0]) ** exponent)
 
 
-def rows_of(study: StudyTables) -> Rows:
+def rows_of(study: StudyTables) -> ImperfectRows:
     """Return the rows of imperfect sheets of the model and size of the figure sheet.
 
     Raises
@@ -181,7 +181,7 @@ def rows_of(study: StudyTables) -> Rows:
     MissingError
         If there are none.
     """
-    rows: Rows = study.table("imperfection").to_dict("records")
+    rows: ImperfectRows = study.table("imperfection").to_dict("records")
     chosen = [
         row for row in rows if (row["material"], row["aspect"], row["thickness"]) == study.wanted
     ]
@@ -190,7 +190,7 @@ def rows_of(study: StudyTables) -> Rows:
     return chosen
 
 
-def effects(rows: Rows) -> tuple[Effect, ...]:
+def effects(rows: ImperfectRows) -> tuple[Effect, ...]:
     """Return the effects of all kinds of imperfections of one sheet, in a fixed order.
 
     Parameters
@@ -216,7 +216,7 @@ def effects(rows: Rows) -> tuple[Effect, ...]:
     return tuple(_effect(kind, rows, perfect) for kind in kinds)
 
 
-def _effect(kind: str, rows: Rows, perfect: Mapping[float, Row]) -> Effect:
+def _effect(kind: str, rows: ImperfectRows, perfect: Mapping[float, ImperfectRow]) -> Effect:
     own = {(row["size"], row["strain"]): row for row in rows if row["kind"] == kind}
     sizes = sorted({size for size, _ in own if size > 0.0})
     strains = sorted({strain for _, strain in own if strain in perfect})

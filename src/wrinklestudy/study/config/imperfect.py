@@ -8,7 +8,7 @@ from typing import Annotated
 from pydantic import Field
 
 from wrinklestudy.results.cases import StudySheet, canonical
-from wrinklestudy.results.imperfect_sheets import Given, ImperfectSheet
+from wrinklestudy.results.imperfect_sheets import Amount, ImperfectSheet
 from wrinklestudy.study.config.blocks import Block, SheetsBlock
 from wrinklestudy.study.config.values import Filled, Number, OneOf, Place, within
 from wrinklestudy.vocabulary import (
@@ -96,7 +96,7 @@ class ImperfectBlock(SheetsBlock):
                 entries = tuple(entry for group in given for entry in group)
                 yield ImperfectSheet(sheet, self.symmetry, entries), self.strains
 
-    def _options(self) -> Iterator[list[tuple[tuple[str, Given], ...]]]:
+    def _options(self) -> Iterator[list[tuple[tuple[str, Amount], ...]]]:
         """Yield the alternatives of each key; those of a key belong together."""
         for key in _SIZED:
             if (sizes := getattr(self, key)) is not None:

@@ -20,6 +20,7 @@ from wrinklestudy.study.claims.tables import StudyTables
 UNEVEN = 1.0e-3  # amplitude of a ripple, parts of t, that no rubber is free of
 HALF = 0.15  # of lambda/2, within which a ripple counts as one of half the wavelength
 PROPORTIONAL = 0.1  # of the exponent
+NOTHING = 1.0e-9  # of what the pin carries
 
 
 def _ripple(study: StudyTables) -> Effect:
@@ -42,17 +43,17 @@ def per_amplitude(ripple: Effect, strain: float) -> float:
     order=(2, 0, 1),
     place="clamps, gradients, weight",
     statement="Something smooth chooses the parity of the wrinkles.",
-    reading="An imperfection at its largest size computed, ripples left out, against a ripple of "
-    f"half the wavelength with an amplitude of {UNEVEN:g} t, which no rubber is free of. The "
-    "energies are those of the antisymmetric and the symmetric state.",
+    reading="An imperfection at its largest size computed, long waves of the thickness too, "
+    f"against a ripple of half the wavelength with an amplitude of {UNEVEN:g} t, which no rubber "
+    "is free of. The energies are those of the antisymmetric and the symmetric state.",
     tolerance="agree if the two energies differ by more than with such a ripple for one of them",
 )
 def something_smooth_chooses(study: StudyTables) -> Finding:
     """Compare what smooth imperfections and a small ripple change in the energies."""
     ripple = _ripple(study)
-    others = [effect for effect in effects_of(study) if not effect.kind.startswith(RIPPLE)]
+    others = [effect for effect in effects_of(study) if effect.kind != ripple.kind]
     if not others:
-        raise MissingError("imperfections other than ripples")
+        raise MissingError("imperfections other than a ripple")
     equal = {}
     for effect in others:
         strains = [strain for strain in effect.parity if strain in ripple.parity]
@@ -142,7 +143,7 @@ def a_ripple_chooses(study: StudyTables) -> Finding:
     order=(2, 0, 3),
     place="the perfect sheet",
     statement="The pin against sliding carries nothing in a perfect sheet.",
-    tolerance="at most 1e-9 of its stiffness times t, at every strain",
+    tolerance=f"at most {NOTHING:g} of its stiffness times t, at every strain",
 )
 def the_pin_carries_nothing(study: StudyTables) -> Finding:
     """Look at what the pin carries, in the perfect sheet and at the most."""
@@ -155,7 +156,7 @@ def the_pin_carries_nothing(study: StudyTables) -> Finding:
     largest = abs(where["pin_reaction"])
     softest = min(row["softest_eigenvalue"] for row in perfect)
     return Finding(
-        verdict_of(most <= 1e-9),
+        verdict_of(most <= NOTHING),
         (
             Value("largest reaction, perfect sheet", most, digits=2),
             Value("largest of all sheets", largest, digits=2),
@@ -163,5 +164,10 @@ def the_pin_carries_nothing(study: StudyTables) -> Finding:
         ),
         f"The pin carries {most:.1g} in the perfect sheet, and at the most "
         f"{largest:.1g} ({where['imperfection']}, ε = "
-        f"{where['strain']:g}): there the pattern is pushed to a place between the two parities.",
+        f"{where['strain']:g})"
+        + (
+            ", where the pattern is pushed to a place between the two parities."
+            if largest > NOTHING
+            else ": no imperfection of the study pushes the pattern across."
+        ),
     )

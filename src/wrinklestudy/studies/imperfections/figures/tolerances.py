@@ -28,6 +28,7 @@ def draw(inputs: Inputs) -> Figure:
     clamps = [effect for effect in found if effect not in thickness]
     figure = style.new(style.WIDE, 10.5)
     axes = figure.subplots(2, 2, sharey="row", sharex="col")
+    heights = []
     for column, own in enumerate((clamps, thickness)):
         top, low = axes[:, column]
         for effect, look in zip(own, style.looks([e.kind for e in own]), strict=True):
@@ -37,11 +38,12 @@ def draw(inputs: Inputs) -> Figure:
             panel.axhline(limit, color=style.GREY, lw=0.8, zorder=0)
             panel.set_xscale("log")
             panel.set_yscale("log")
-        top.legend(loc="upper left", fontsize=5.5, handlelength=1.2, labelspacing=0.2)
+        heights.append(style.legend_above(top, whole_width=False))
     axes[0, 0].set_ylabel(r"$|\Delta A|/A$")
     axes[1, 0].set_ylabel(r"$|\Delta\varepsilon_\mathrm{decay}|$")
     axes[1, 0].set_xlabel("shift over $W$, or angle (rad)")
     axes[1, 1].set_xlabel("difference or amplitude over $t$")
+    style.grow(figure, max(heights))
     return figure
 
 

@@ -18,13 +18,14 @@ def table(study: StudyTables) -> ExtraTable:
         shares = budget(study, effects_of(study))
     except MissingError as lack:
         return ExtraTable(_COLUMNS, (), note=f"Not in the study: {lack}.")
-    cells = [(one.source, one.what, number(one.error, ".4f", "not known")) for one in shares]
+    cells = [(one.source, one.what, number(one.error, ".2g", "not known")) for one in shares]
     if not any(math.isnan(one.error) for one in shares):
-        cells.append(("all", "square root of the sum of squares", f"{total(shares):.4f}"))
+        cells.append(("all", "square root of the sum of squares", f"{total(shares):.2g}"))
     return ExtraTable(
         _COLUMNS,
         tuple((one.source, one.what, one.error) for one in shares),
         ("source", "what", "error of the decay strain"),
         tuple(cells),
-        "Imperfections at sizes that a careful set-up keeps to.",
+        "Imperfections at sizes that a careful set-up keeps to. What one mode of test leaves open "
+        "is taken from Treloar's rubber, of which all modes were measured: a sheet of either fit.",
     )
