@@ -53,6 +53,12 @@ literature: $(READY) ## run the study of what others published (config/literatur
 	cp results/literature/claims/claims.md docs/literature_study.md
 	cp figures/literature/*.png docs/literature/
 
+imperfections: $(READY) ## run the study of imperfections (config/imperfections.yaml): docs/imperfections.md
+	$(SNAKEMAKE) --configfile config/imperfections.yaml
+	@mkdir -p docs/imperfections
+	cp results/imperfections/claims/claims.md docs/imperfections.md
+	cp figures/imperfections/*.png docs/imperfections/
+
 report: $(READY) ## run the study and put figures, claims and run times into report/report.html
 	$(SNAKEMAKE) $(CONFIG:%=--configfile %)
 	@mkdir -p $(dir $(REPORT))

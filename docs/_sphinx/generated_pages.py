@@ -21,6 +21,7 @@ STUDIES = (
     ("panaitescu2019", "figures", "figures"),
     ("beyond", "figures/beyond", "beyond"),
     ("literature", "figures/literature", "literature"),
+    ("imperfections", "figures/imperfections", "imperfections"),
 )
 _MARK = re.compile(r"^<!-- generated: (\w+) -->$", flags=re.MULTILINE)
 _LINK = re.compile(r"\]\(([^()#:]+\.md)\)")

@@ -26,8 +26,8 @@ SHEET_FIGURES = {
     "fig07_page",
 }
 VARIANT_FIGURES = {"fig05_amplitude", "fig05_wavelength", "fig05_page"}
-# the paper's study has neither map nor end of compression
-STAGES = tuple(name for name in TABLE if name not in ("map", "compression"))
+# the paper's study has no map, no end of compression and no imperfect sheets
+STAGES = tuple(name for name in TABLE if name not in ("map", "compression", "imperfection"))
 STRAINS = "strain: [0.1, 0.2, 0.32]"
 LATEX = "  - material: latex\n    aspect: [2.0]\n    thickness: [1.0e-3]\n"
 ASPECT, SHEET = "aspect2_resolves0.001", "aspect2_thickness0.001"

@@ -12,6 +12,7 @@ from pathlib import Path
 from wrinklestudy.files.records import DamagedFileError, read_record
 from wrinklestudy.results.analyses import input_name
 from wrinklestudy.results.cases import NAME_PATTERN, VALUE_PATTERN, Case, StudySheet, parse_value
+from wrinklestudy.results.imperfect_sheets import IMPERFECTION_PATTERN
 from wrinklestudy.results.paths import STAGES, Paths, filled
 from wrinklestudy.stages.recording import program
 from wrinklestudy.study import figure_contents, holding, plan, stored, targets
@@ -52,6 +53,7 @@ if RUNS:
 wildcard_constraints:
     material=NAME_PATTERN,
     figure=NAME_PATTERN,
+    imperfection=IMPERFECTION_PATTERN,
     aspect=VALUE_PATTERN,
     resolved=VALUE_PATTERN,
     thickness=VALUE_PATTERN,
@@ -110,6 +112,16 @@ def sheet_of(wildcards):
         parse_value(wildcards.aspect),
         parse_value(wildcards.thickness),
     )
+
+
+def imperfect_of(wildcards):
+    return STUDY.imperfect_sheet(sheet_of(wildcards), wildcards.imperfection)
+
+
+def thickness_table_of_imperfect(wildcards):
+    """The measured thickness of an imperfect sheet, if it has any."""
+    given = dict(imperfect_of(wildcards).given)
+    return {key: given[key] for key in ["thickness_table"] if key in given}
 
 
 def mesh_of_sheet(wildcards):
@@ -246,6 +258,11 @@ def study_digest():
     codes = [code(stage) for stage in STAGES]
     codes += [code_of_claims(), *(code_of_figure(figure.name) for figure in STUDY.figures_to_make)]
     files = {material.data for material in STUDY.materials.values() if material.data is not None}
+    files |= {
+        series.thickness_table
+        for series in STUDY.imperfection_series
+        if series.thickness_table is not None
+    }
     files |= {
         path for figure in STUDY.figures_to_make for path in figure_contents.measured(STUDY, figure)
     }

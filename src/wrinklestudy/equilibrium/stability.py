@@ -97,7 +97,12 @@ def of_imperfect_sheet(
         if coarse is not None:
             guide = LiftedCurve(coarse, material.law, flat, None, report, *lift)
         curve = LiftedCurve(space, material.law, flat, guide, report, *lift)
-    return find(curve, thickness, guide=guide, origin=settings.symmetry.clamps.perfect)
+    return find(
+        curve,
+        thickness,
+        guide=guide,
+        origin=settings.symmetry.clamps.perfect and settings.weight == 0.0,
+    )
 
 
 def find(

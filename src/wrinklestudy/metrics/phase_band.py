@@ -14,6 +14,7 @@ from wrinklestudy.metrics.interpolant import evaluate, subdivided
 from wrinklestudy.typing import Array
 
 _SAMPLES_PER_CELL = 64
+_FEW_PER_CELL = 4  # of integrals over the sheet
 _PHASES = 90  # over half a wave: the other half is the same upside down
 
 
@@ -51,6 +52,22 @@ def phase_band(grid: Grid, wrinkles: Array, partner: Array) -> PhaseBand:
     phases = np.pi / _PHASES * np.arange(_PHASES)
     heights = [_largest(w * np.cos(phase) + v * np.sin(phase)) for phase in phases]
     return PhaseBand(min(heights), max(heights), _largest(np.hypot(w, v)))
+
+
+def envelope_middle(grid: Grid, wrinkles: Array, partner: Array) -> tuple[float, float]:
+    """Return the mean place (x, y) of wrinkles, weighted with the square w^2 + v^2 of the envelope.
+
+    See `phase_band` for the parameters; the grid is of the whole sheet.
+    """
+    x, y = (subdivided(lines, _FEW_PER_CELL) for lines in (grid.x, grid.y))
+    w, v = (evaluate(grid, nodes, x, y) for nodes in (wrinkles, partner))
+    density = w**2 + v**2
+    across, along = np.trapezoid(density, y, axis=1), np.trapezoid(density, x, axis=0)
+    total = np.trapezoid(across, x)
+    return (
+        float(np.trapezoid(x * across, x) / total),
+        float(np.trapezoid(y * along, y) / total),
+    )
 
 
 def _largest(values: Array) -> float:

@@ -10,6 +10,7 @@ from wrinklestudy.files.storage import atomic_path
 from wrinklestudy.results.rows import Column
 from wrinklestudy.results.tables import (
     COMPRESSION_COLUMNS,
+    IMPERFECTION_COLUMNS,
     MAP_COLUMNS,
     PEAK_COLUMNS,
     STABILITY_COLUMNS,
@@ -78,6 +79,13 @@ _COMPRESSION = """
 `results/compression/{material}/aspect{aspect}.csv`, one row per strain.
 """
 
+_IMPERFECTION = """
+## Imperfection
+
+`results/imperfection/{material}/aspect{aspect}_thickness{thickness}/{imperfection}.csv`, one row
+per strain; birth, decay and windows are those of the sheet.
+"""
+
 
 def page() -> str:
     """Return the data dictionary as Markdown."""
@@ -96,6 +104,8 @@ def page() -> str:
         *_table(TENSION_COLUMNS),
         _COMPRESSION,
         *_table(COMPRESSION_COLUMNS),
+        _IMPERFECTION,
+        *_table(IMPERFECTION_COLUMNS),
     ]
     return "".join(blocks)
 

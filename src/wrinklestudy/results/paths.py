@@ -20,8 +20,8 @@ class Stage:
     wanted : bool
         Whether a study is run for these files; others are only needed on the way to them.
     analysis : bool
-        Whether it has a block of its own in the config, with a job for each model and L/W there;
-        figures and claims read its output ``table``.
+        Whether it has a block of its own in the config, with a job for each model and L/W, or each
+        imperfect sheet, there; figures and claims read its output ``table``.
     """
 
     outputs: Mapping[str, str]
@@ -45,6 +45,7 @@ STAGES: Mapping[str, Stage] = {
         analysis=True,
     ),
     "compression": Stage({"table": "{material}/aspect{aspect}.csv"}, analysis=True),
+    "imperfection": Stage({"table": f"{_SHEET}/{{imperfection}}.csv"}, analysis=True),
     "wrinkle": Stage({"state": f"{_SHEET}/strain{{strain}}.h5"}),
     "metrics": Stage({"table": f"{_SHEET}.csv"}),
     "summary": Stage(

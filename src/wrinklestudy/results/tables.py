@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from wrinklestudy.files.records import check
 from wrinklestudy.files.storage import atomic_path
 from wrinklestudy.results.compression import CompressionRow
+from wrinklestudy.results.imperfections import ImperfectionRow
 from wrinklestudy.results.maps import MapRow
 from wrinklestudy.results.rows import (
     Column,
@@ -37,6 +38,7 @@ STABILITY_COLUMNS = columns(StabilityRow)
 MAP_COLUMNS = columns(MapRow)
 TENSION_COLUMNS = columns(TensionRow)
 COMPRESSION_COLUMNS = columns(CompressionRow)
+IMPERFECTION_COLUMNS = columns(ImperfectionRow)
 PEAK_COLUMNS: Mapping[str, Column] = {
     name: column
     for name, column in columns(SheetRow).items()
@@ -70,6 +72,11 @@ def write_tension_rows(rows: Sequence[TensionRow], output: AnyPath) -> None:
 def write_compression(rows: Sequence[CompressionRow], output: AnyPath) -> None:
     """Write the centre of flat sheets as a table, sorted by material, L/W and strain."""
     _write(rows, COMPRESSION_COLUMNS, output)
+
+
+def write_imperfections(rows: Sequence[ImperfectionRow], output: AnyPath) -> None:
+    """Write states of imperfect sheets as a table, sorted by sheet and strain."""
+    _write(rows, IMPERFECTION_COLUMNS, output)
 
 
 def write_map(rows: Sequence[MapRow], output: AnyPath) -> None:

@@ -155,7 +155,7 @@ class WholeState(State):
         other = solved.partner
         if other is None or other.status != "wrinkled":
             return None
-        first, second = (_wrinkles(state) for state in (solved, other))
+        first, second = (whole_wrinkles(state) for state in (solved, other))
         return phase_band(first.grid, first.nodes[2], second.nodes[2])
 
     def row(self) -> WholeRow:  # type: ignore[override]
@@ -259,7 +259,7 @@ def _shape(solved: WholeEquilibrium, position: Array) -> DeformedSheet:
     return DeformedSheet(space.grid, space.nodes_from_field(position), solved.symmetry)
 
 
-def _wrinkles(solved: WholeEquilibrium) -> DeformedSheet:
+def whole_wrinkles(solved: WholeEquilibrium) -> DeformedSheet:
     """Return the whole sheet with its deflection beyond that of the unwrinkled one."""
     position = solved.position.copy()
     position[2] = solved.wrinkles

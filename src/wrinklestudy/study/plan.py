@@ -12,8 +12,8 @@ def files_of(study: StudyConfig, paths: Paths, stage: str) -> list[str]:
 
     There is one job for each value of the wildcards in the paths of the stage: for each figure
     with ``{figure}``, for each further table of the claims with ``{table}``, for each material with
-    ``{material}`` alone, for each model and L/W in the block of an analysis, and otherwise for each
-    combination that the cases of the study have.
+    ``{material}`` alone, for each model and L/W or each imperfect sheet in the block of an
+    analysis, and otherwise for each combination that the cases of the study have.
     """
     outputs = STAGES[stage].outputs
     return [file for output in outputs for file in files_of_output(study, paths, stage, output)]
@@ -29,7 +29,7 @@ def files_of_output(study: StudyConfig, paths: Paths, stage: str, output: str) -
     elif names == {"table"}:
         jobs = [{"table": entry.name} for entry in study.catalogue.tables]
     elif STAGES[stage].analysis:
-        jobs = [{"material": model, "aspect": aspect} for model, aspect in study.analyses(stage)]
+        jobs = study.analysis_jobs(stage)
     elif names == {"material"}:
         jobs = [{"material": name} for name in sorted(study.materials)]
     else:

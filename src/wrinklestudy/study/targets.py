@@ -25,6 +25,7 @@ _NEEDS_STRAINS = {
     "map": "this model and L/W (maps)",
     "tension": "this material and L/W (tension)",
     "compression": "this material and L/W (compression)",
+    "imperfection": "this imperfect sheet (imperfections)",
 }
 
 

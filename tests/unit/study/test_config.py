@@ -485,7 +485,8 @@ def test_the_default_study_has_the_sheets_of_the_paper():
         (
             ("study",),
             "panaitescu",
-            "study = 'panaitescu': must be one of beyond, literature, panaitescu2019, or a ",
+            "study = 'panaitescu': must be one of beyond, imperfections, literature, "
+            "panaitescu2019, or a ",
         ),
         (("study",), 2019, "study = 2019: must be text"),
         (("figures", "names"), [], "figures.names = []: must be a list with at least one entry"),

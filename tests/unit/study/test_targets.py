@@ -24,6 +24,15 @@ RAW = {
     "maps": [{"material": "thick", "aspect": [2, 3], "strain": [0.1, 0.2]}],
     "tension": [{"material": "rubber", "aspect": [2], "strain": [0.1, 0.2]}],
     "compression": [{"material": "rubber", "aspect": [2, 3]}],
+    "imperfections": [
+        {
+            "material": "thick",
+            "aspect": [2],
+            "thickness": [1e-3],
+            "strain": [0.1, 0.2],
+            "shear": [0.01, -0.02],
+        }
+    ],
     "figures": {
         "names": ["fig07_width"],
         "sheet": {"material": "rubber", "aspect": 2, "thickness": 1e-3},
@@ -48,6 +57,7 @@ def test_the_files_of_a_study_follow_from_its_cases():
         "map": 2,
         "tension": 2,  # the table and the fields of one job
         "compression": 2,
+        "imperfection": 2,
         "wrinkle": 9,
         "metrics": 5,
         "summary": 3,
@@ -108,6 +118,10 @@ def test_what_is_no_result_is_left_to_snakemake(path):
         (
             "out/metrics/rubber/aspect4_thickness0.001.csv",
             "the config has no strains for this sheet (sheets)",
+        ),
+        (
+            "out/imperfection/thick/aspect2_thickness0.001/shear-0.02.csv",
+            "the config has no strains for this imperfect sheet (imperfections)",
         ),
         (
             "out/material/thick.json",

@@ -64,8 +64,19 @@ class Curves:
         return fine[(value >= low) & (value <= high)]
 
 
-def curves(sheets: Sequence[SheetStates], materials: Sequence[Material]) -> Curves:
+def curves(
+    sheets: Sequence[SheetStates],
+    materials: Sequence[Material],
+    numbers: Mapping[str, str] = NUMBERS,
+) -> Curves:
     """Return the curves through some sheets of one size, each with its material.
+
+    Parameters
+    ----------
+    sheets : sequence of SheetStates
+    materials : sequence of Material
+    numbers : mapping
+        Those of `NUMBERS` that are wanted.
 
     Raises
     ------
@@ -78,7 +89,7 @@ def curves(sheets: Sequence[SheetStates], materials: Sequence[Material]) -> Curv
     order = np.argsort(shares)
     values = {
         name: np.array([sheets[k].peak_value(column) for k in order])
-        for name, column in NUMBERS.items()
+        for name, column in numbers.items()
     }
     return Curves(shares[order], values)
 

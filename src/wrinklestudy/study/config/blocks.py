@@ -183,12 +183,12 @@ class PlateBlock(Block):
     bending: BendingName = Field(
         default="thinning",
         description="law of bending",
-        json_schema_extra=of_stages("planar", "stability", "map"),
+        json_schema_extra=of_stages("planar", "stability", "map", "imperfection"),
     )
     parity: Parity = Field(
         default="antisymmetric",
         description="symmetry of the wrinkles across the sheet",
-        json_schema_extra=of_stages("planar", "stability"),
+        json_schema_extra=of_stages("planar", "stability", "imperfection"),
     )
 
 
@@ -198,22 +198,22 @@ class SolverBlock(Block):
     modes: Few = Field(
         default=8,
         description="leading critical thicknesses and modes that are computed",
-        json_schema_extra=of_stages("planar", "stability"),
+        json_schema_extra=of_stages("planar", "stability", "imperfection"),
     )
     tolerance: Annotated[float, within(Limits(0, 1e-6, above_lowest=True)), Number] = Field(
         default=1e-22,
         description="Newton decrement over energy at which a state has converged",
-        json_schema_extra=of_stages("wrinkle"),
+        json_schema_extra=of_stages("wrinkle", "imperfection"),
     )
     max_iterations: Annotated[int, within(Limits(1, 10000)), Count] = Field(
         default=200,
         description="Newton iterations from each seed",
-        json_schema_extra=of_stages("wrinkle"),
+        json_schema_extra=of_stages("wrinkle", "imperfection"),
     )
     seeds: Few = Field(
         default=1,
         description="starting points of each wrinkled state; the lowest energy is kept",
-        json_schema_extra=of_stages("wrinkle"),
+        json_schema_extra=of_stages("wrinkle", "imperfection"),
     )
 
 

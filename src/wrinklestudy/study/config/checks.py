@@ -12,6 +12,7 @@ from wrinklestudy.mechanics.bending import check_bending
 from wrinklestudy.mechanics.laws import law_of
 from wrinklestudy.mechanics.relaxed import check_relaxed
 from wrinklestudy.results import cases
+from wrinklestudy.results.imperfect_sheets import check_imperfect, repeated_names
 from wrinklestudy.study.config.blocks import (
     AnalysisBlock,
     FigureSheetBlock,
@@ -111,13 +112,15 @@ def wrong_places(study: StudyConfig) -> Iterator[str]:
         for place in (Path(folder), *Path(folder).parents):
             if place.exists() and not place.is_dir():
                 yield f"folders.{key} = {folder!r}: must be a folder; {place} is a file"
-    for name, material in study.materials.items():
-        if material.data is None:
-            continue
-        data = Path(material.data)
-        if not data.is_file():
-            fault = "it is a folder" if data.is_dir() else "there is no such file"
-            yield f"materials.{name}.data = {material.data!r}: must be a CSV file; {fault}"
+    files = {f"materials.{name}.data": m.data for name, m in study.materials.items()}
+    files |= {
+        f"imperfections[{i}].thickness_table": series.thickness_table
+        for i, series in enumerate(study.imperfection_series)
+    }
+    for key, file in files.items():
+        if file is not None and not Path(file).is_file():
+            fault = "it is a folder" if Path(file).is_dir() else "there is no such file"
+            yield f"{key} = {file!r}: must be a CSV file; {fault}"
 
 
 def _contradictions(study: StudyConfig) -> Iterator[str]:
@@ -131,6 +134,9 @@ def _contradictions(study: StudyConfig) -> Iterator[str]:
     # in a tension field there is nothing to bend, and no wrinkle with a parity
     yield from _wrong_series("tension", study.tension_series, materials, "materials")
     yield from _wrong_series("compression", study.compression_series, materials, "materials")
+    entries = study.imperfection_series
+    yield from _wrong_series("imperfections", entries, models, "materials or variants")
+    yield from _wrong_imperfections(study)
     yield from _without_tension_field(study)
     yield from _wrong_bendings(study)
     yield from _missing_figure_sheets(study)
@@ -183,9 +189,29 @@ def _wrong_variants(study: StudyConfig) -> Iterator[str]:
             yield f"variants.{name}: must have bending, parity or both"
 
 
+def _wrong_imperfections(study: StudyConfig) -> Iterator[str]:
+    """Yield what is wrong with imperfect sheets, a table of the thickness included."""
+    faults = []
+    for i, series in enumerate(study.imperfection_series):
+        key = f"imperfections[{i}]"
+        if (series.density is None) != (series.width_mm is None):
+            faults.append(f"{key}: density and width_mm must be given together")
+        elif series.density is None and "gravity" in series.model_fields_set:
+            faults.append(f"{key}.gravity: needs density and width_mm")
+        for sheet, _ in series.cases():
+            try:
+                check_imperfect(sheet)
+            except ValueError as error:
+                faults.append(f"{key}: {error}")
+    repeated = repeated_names(study.imperfect_sheets)
+    faults += [f"imperfections: two different entries have the name {name}" for name in repeated]
+    yield from dict.fromkeys(faults)
+
+
 def _wrong_bendings(study: StudyConfig) -> Iterator[str]:
     """Yield which models of sheets and maps bend by a law that does not go with their material."""
-    used = {series.material for series in (*study.sheets, *study.map_series)}
+    every = (*study.sheets, *study.map_series, *study.imperfection_series)
+    used = {series.material for series in every}
     for name in sorted(used):
         variant = study.variants.get(name)
         material = study.materials.get(name if variant is None else variant.material)

@@ -12,6 +12,8 @@ from pydantic.fields import FieldInfo
 
 from wrinklestudy.results import cases
 from wrinklestudy.results.cases import Case, StudySheet
+from wrinklestudy.results.imperfect_sheets import ImperfectSheet
+from wrinklestudy.results.paths import sheet_wildcards
 from wrinklestudy.study.catalogue import Catalogue, FigureEntry
 from wrinklestudy.study.config.blocks import (
     AnalysisBlock,
@@ -27,6 +29,7 @@ from wrinklestudy.study.config.blocks import (
     SolverBlock,
     VariantBlock,
 )
+from wrinklestudy.study.config.imperfect import ImperfectBlock
 from wrinklestudy.study.config.values import Filled, Name, Place
 from wrinklestudy.study.loading import load_catalogue
 
@@ -58,6 +61,11 @@ class StudyConfig(Block):
     )
     compression_series: tuple[LengthsBlock, ...] = Field(
         default=(), alias="compression", description="L/W at which the end of compression is sought"
+    )
+    imperfection_series: tuple[ImperfectBlock, ...] = Field(
+        default=(),
+        alias="imperfections",
+        description="sheets whose clamps are off, whose thickness varies or that have a weight",
     )
     mesh: MeshBlock = Field(default_factory=MeshBlock, description="mesh of the quarter sheet")
     plate: PlateBlock = Field(default_factory=PlateBlock, description="model of the sheet")
@@ -143,10 +151,41 @@ class StudyConfig(Block):
             for aspect in series.aspect
         }
 
+    @cached_property
+    def imperfect_sheets(self) -> Mapping[ImperfectSheet, tuple[float, ...]]:
+        """The strains of each imperfect sheet, sorted and without repetitions."""
+        strains: dict[ImperfectSheet, set[float]] = {}
+        for series in self.imperfection_series:
+            for sheet, own in series.cases():
+                strains.setdefault(sheet, set()).update(own)
+        order = sorted(strains, key=lambda sheet: (sheet.sheet, sheet.name))
+        return {sheet: tuple(sorted(strains[sheet])) for sheet in order}
+
+    def imperfect_sheet(self, sheet: StudySheet, name: str) -> ImperfectSheet:
+        """Return the imperfect sheet of a name, see `ImperfectSheet.name`."""
+        return next(s for s in self.imperfect_sheets if (s.sheet, s.name) == (sheet, name))
+
     def analyses(self, stage: str) -> Mapping[tuple[str, float], tuple[float, ...]]:
-        """Return the strains of each job of a stage that is an analysis, by model and L/W."""
-        by_stage = {"map": self.maps, "tension": self.tension, "compression": self.compression}
+        """Return the strains of a stage that is an analysis, by model and L/W."""
+        by_stage = {
+            "map": self.maps,
+            "tension": self.tension,
+            "compression": self.compression,
+            "imperfection": cases.strains_by_length(
+                (s.sheet.material, (s.sheet.aspect,), strains)
+                for s, strains in self.imperfect_sheets.items()
+            ),
+        }
         return by_stage[stage]
+
+    def analysis_jobs(self, stage: str) -> list[dict[str, str | float]]:
+        """Return the wildcards of each job of a stage that is an analysis."""
+        if stage == "imperfection":
+            return [
+                {**sheet_wildcards(sheet.sheet), "imperfection": sheet.name}
+                for sheet in self.imperfect_sheets
+            ]
+        return [{"material": model, "aspect": aspect} for model, aspect in self.analyses(stage)]
 
     @property
     def figure_sheet(self) -> StudySheet:

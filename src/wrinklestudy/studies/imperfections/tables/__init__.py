@@ -1,0 +1,1 @@
+"""The tables of the study of imperfections, one module each."""
