@@ -106,7 +106,7 @@ MUTATIONS = (
     Mutation(
         "corner",
         "modes of the corner taken for wrinkles",
-        "equilibrium/modes.py",
+        "equilibrium/deflections.py",
         "CORNER_PART = 0.5",
         "CORNER_PART = 1.5",
     ),

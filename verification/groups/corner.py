@@ -17,7 +17,7 @@ from verification.tools.singularity import (
     twist_limit,
     williams,
 )
-from wrinklestudy.equilibrium import flat, modes, planar, wrinkled
+from wrinklestudy.equilibrium import deflections, flat, modes, planar, wrinkled
 from wrinklestudy.fem.boundary import QUARTER
 from wrinklestudy.fem.factorisation import make_indefinite_solver
 from wrinklestudy.fem.grid import MeshSettings, make_grid
@@ -50,7 +50,7 @@ def leading(space: Space, strain: float) -> Leading:
     state = flat.solve(space, MATERIAL.law, strain)
     spectrum = modes.spectrum(state, count=MODE_COUNT)
     thickness = np.sqrt(np.maximum(spectrum.squared, 0.0))
-    corner = spectrum.corner >= modes.CORNER_PART
+    corner = spectrum.corner >= deflections.CORNER_PART
     wrinkles = thickness[~corner].max(initial=0.0)
     return Leading(float(wrinkles), float(thickness[corner].max()) if corner.any() else np.nan)
 
@@ -138,7 +138,7 @@ def _cell(space: Space) -> str:
 def _definiteness(space: Space, strain: float) -> tuple[float, int]:
     """Return the part of the area where the bending form is indefinite, and B's negative values."""
     state = flat.solve(space, MATERIAL.law, strain)
-    _, bent, _, points = modes.deflection_forms(state, "thinning", QUARTER)
+    _, bent, _, points = deflections.deflection_forms(state, "thinning", QUARTER)
     entries = [(a, b) for a in range(5) for b in range(a, 5)]
     form = np.zeros((*points.shape[1:], 3, 3))
     for row, (a, b) in zip(points, entries, strict=True):
@@ -275,7 +275,7 @@ def modes_text(uniform: Sequence[Leading], default: Sequence[Leading]) -> str:
             "On a uniform grid no mode that sits there has a larger critical thickness than the "
             "wrinkles.",
         )
-        + f" A mode is taken for one of the corner if at least {modes.CORNER_PART:g} of its "
+        + f" A mode is taken for one of the corner if at least {deflections.CORNER_PART:g} of its "
         "bending energy sits there, and never counts. With the default grading "
         + conclusion(
             not there,

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import product
+from typing import Any
 
 import numpy as np
 from scipy import sparse
@@ -154,8 +155,9 @@ class Assembler:
         sources = [np.arange(sum(map(len, values)))]
         entries = len(sources[0])
         if self.slopes is not None:
+            lists: tuple[list[Any], ...] = (rows, columns, values, sources)
             for extra in self._tied_entries(numbers, self.slopes):
-                for listed, new in zip((rows, columns, values, sources), extra, strict=True):
+                for listed, new in zip(lists, extra, strict=True):
                     listed.append(new)
         row, column, source = np.concatenate(rows), np.concatenate(columns), np.concatenate(sources)
         kept = np.flatnonzero(row >= 0)

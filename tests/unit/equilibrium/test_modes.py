@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import scipy.linalg
 
-from wrinklestudy.equilibrium import flat, modes, planar, quartic, seeds, wrinkled
+from wrinklestudy.equilibrium import deflections, flat, modes, planar, quartic, seeds, wrinkled
 from wrinklestudy.equilibrium.problem import PlateProblem
 from wrinklestudy.fem.boundary import QUARTER, Symmetry
 from wrinklestudy.fem.factorisation import count_negative_eigenvalues, multiply, symmetric
@@ -36,7 +36,7 @@ def test_unstable_directions_of_the_plate_follow_from_the_modes(state, bending, 
 
 
 def test_modes_are_orthonormal_in_bending(state):
-    stress, bent, assembler, _ = modes.deflection_forms(state, "thinning", QUARTER)
+    stress, bent, assembler, _ = deflections.deflection_forms(state, "thinning", QUARTER)
     leading_modes = modes.spectrum(state, count=5)
     shapes = leading_modes.shapes[:, assembler.free[0]].T
     assert np.allclose(shapes.T @ multiply(bent, shapes), np.eye(5), atol=1e-8)
@@ -123,7 +123,7 @@ def test_critical_thickness_of_small_strains_goes_like_their_root(state):
 
 def test_inertia_counts_the_modes_that_a_whole_spectrum_has(state):
     """Of the dense eigenproblem -S phi = mu B phi as many mu exceed t^2 as inertia counts."""
-    forms = modes.deflection_forms(state, "fvk", QUARTER)
+    forms = deflections.deflection_forms(state, "fvk", QUARTER)
     stress, bent = (symmetric(form).toarray() for form in (forms.stress, forms.bending))
     squared = scipy.linalg.eigh(-stress, bent, eigvals_only=True)[::-1]
     for thickness in (1e-6, 1e-4, 5e-4, 1e-3, 2e-3):
@@ -159,7 +159,7 @@ def test_near_decay_there_are_fewer_modes_than_asked_for_and_wrinkles_form_from_
     tau = known.modes.thickness
     assert 1 < len(tau) < 8
     assert known.modes.quartic.shape == (len(quartic.pairs(len(tau))),) * 2
-    forms = modes.deflection_forms(known.flat, "fvk", QUARTER)
+    forms = deflections.deflection_forms(known.flat, "fvk", QUARTER)
     assert count_negative_eigenvalues(forms.shifted((0.99 * tau[-1]) ** 2)) == len(tau)
     state = wrinkled.solve(known, 0.5 * (tau[0] + tau[1]))
     assert state.status == "wrinkled"
