@@ -70,6 +70,9 @@ JOBS = Limits(1, 1000)  # processes at the same time
 CELLS = Limits(2, 500)
 # Of a wrinkled state, in one wavelength across: with fewer the mesh is too coarse for its wrinkles.
 FEWEST_CELLS = 6.0
+# Beside a clamp, in units of W: at the corner of clamp and free edge a thin sheet has a flap, which
+# stands higher than its wrinkles and is none.
+FLAP = 0.1
 # How far clamps and thickness of a whole sheet may be off: beyond that they are no imperfections.
 SHIFT = Limits(-0.5, 0.5, unit="in units of W")
 ANGLE = Limits(-0.5, 0.5, unit="in radians")

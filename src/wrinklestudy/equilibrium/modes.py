@@ -51,7 +51,7 @@ _LOOSEST_TRIAL = 4.0  # the least bound that is sought, in units of tau_1
 _FEWEST_VECTORS = 8
 
 
-class Search(NamedTuple):
+class ModeSearch(NamedTuple):
     """How Lanczos' method looks for modes.
 
     Parameters
@@ -66,7 +66,7 @@ class Search(NamedTuple):
     vectors: int
 
 
-_CLOSE = Search(1.0e-10, 4)
+_CLOSE = ModeSearch(1.0e-10, 4)
 
 
 @dataclass(frozen=True)
@@ -142,7 +142,7 @@ def spectrum(
     count: int = 8,
     near: float | None = None,
     start: Array | None = None,
-    search: Search = _CLOSE,
+    search: ModeSearch = _CLOSE,
     forms: DeflectionForms | None = None,
 ) -> Spectrum:
     """Return the largest critical thicknesses of a flat state and their modes, see `Modes`.
@@ -164,7 +164,7 @@ def spectrum(
         A thickness a little above tau_1, where that is known: it saves most of the time.
     start : (size,) array, optional
         A deflection like the leading mode, where one is known.
-    search : Search
+    search : ModeSearch
         How closely they are found.
     forms : DeflectionForms, optional
         Of the flat state, where they are known.
@@ -244,7 +244,7 @@ def _eigen(
     count: int,
     trial: float,
     start: Array | None = None,
-    search: Search = _CLOSE,
+    search: ModeSearch = _CLOSE,
 ) -> tuple[Array, Array]:
     """Solve -S phi = mu B phi for the largest mu below sigma, the square of a trial thickness.
 

@@ -6,12 +6,10 @@ import numpy as np
 
 from wrinklestudy.metrics.interpolant import DeformedSheet, evaluate, subdivided
 from wrinklestudy.typing import Array
+from wrinklestudy.vocabulary import FLAP
 
 _SAMPLES_PER_CELL = 8
 _REFINEMENTS = 4
-# Beside a clamp, in units of W: at the corner of clamp and free edge a thin sheet has a flap, which
-# stands higher than its wrinkles and is none.
-FLAP = 0.1
 
 
 @dataclass(frozen=True)

@@ -14,9 +14,8 @@ from typing import Any, TypeVar, get_args, get_type_hints
 
 import numpy as np
 
-from wrinklestudy.metrics.surface import FLAP
 from wrinklestudy.typing import AnyPath, Cell
-from wrinklestudy.vocabulary import FEWEST_CELLS, STATUSES, Status
+from wrinklestudy.vocabulary import FEWEST_CELLS, FLAP, STATUSES, Status
 
 
 @dataclass(frozen=True)

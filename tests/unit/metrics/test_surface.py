@@ -9,7 +9,8 @@ from wrinklestudy.fem.grid import Grid
 from wrinklestudy.metrics.interpolant import DeformedSheet, evaluate
 from wrinklestudy.metrics.measure import measure_sheet
 from wrinklestudy.metrics.profile import profile_from_state
-from wrinklestudy.metrics.surface import FLAP, envelope, full_surface, sheet_peak
+from wrinklestudy.metrics.surface import envelope, full_surface, sheet_peak
+from wrinklestudy.vocabulary import FLAP
 
 GRID_X = 1.0 - (1.0 - np.linspace(0.0, 1.0, 7)) ** 1.5
 GRID_Y = np.linspace(0.0, 0.5, 5)
