@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from wrinklestudy.files.records import check
 from wrinklestudy.files.storage import atomic_path
 from wrinklestudy.results.compression import CompressionRow
-from wrinklestudy.results.imperfections import ImperfectionRow
+from wrinklestudy.results.imperfection_rows import ImperfectionRow
 from wrinklestudy.results.maps import MapRow
 from wrinklestudy.results.rows import (
     Column,

@@ -233,6 +233,7 @@ def test_the_button_plays_from_the_start_and_pauses(page):
     page.locator("#play").click()
     expect(page.locator("#strain")).not_to_have_value("6")
     page.locator("#play").click()
+    expect(page.locator("#play")).to_contain_text("Play")
     stopped = index_of(page)
     page.wait_for_timeout(500)
     assert index_of(page) == stopped

@@ -68,7 +68,8 @@ def texts(figure):
 
 
 def test_every_figure_that_shows_measured_data_is_here():
-    assert set(MODULES) == {entry.name for entry in CATALOGUE.figures if entry.measured}
+    shown = {entry.name for entry in CATALOGUE.figures if entry.measured}
+    assert set(MODULES) == {name for name in shown if not name.endswith("_page")}  # made of these
 
 
 @pytest.mark.parametrize("name", MODULES)

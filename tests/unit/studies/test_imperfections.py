@@ -7,7 +7,7 @@ import pytest
 from made_up_study import MATERIALS, material, sheet, world
 
 from wrinklestudy.mechanics.laws import mooney_rivlin
-from wrinklestudy.results.imperfections import ImperfectionRow
+from wrinklestudy.results.imperfection_rows import ImperfectionRow
 from wrinklestudy.results.rows import columns
 from wrinklestudy.results.tables import write_imperfections
 from wrinklestudy.studies.imperfections import CATALOGUE

@@ -129,7 +129,7 @@ def test_a_module_without_draw_is_told_before_anything_is_written(toy):
     [
         (
             "panaitescu2091",
-            r"study = 'panaitescu2091': must be one of beyond, imperfections, literature, panaitescu2019, or a",
+            r"study = 'panaitescu2091': must be one of beyond, imperfections, literature, pana",
         ),
         ("nowhere/toy.py", r"study = 'nowhere/toy.py': must be one of"),
         ("toy/claims/README.md", r"must be one of"),
