@@ -3,7 +3,8 @@
 from typing import NamedTuple
 
 from wrinklestudy.equilibrium import flat
-from wrinklestudy.equilibrium.modes import critical_modes, deflection_forms
+from wrinklestudy.equilibrium.deflections import deflection_forms
+from wrinklestudy.equilibrium.modes import critical_modes
 from wrinklestudy.equilibrium.planar import Planar, PlanarSettings
 from wrinklestudy.equilibrium.wrinkled import Equilibrium, solve
 from wrinklestudy.fem.boundary import Symmetry

@@ -11,9 +11,9 @@ import numpy as np
 from scipy import sparse
 
 from wrinklestudy.equilibrium.critical_curve import CriticalCurve
+from wrinklestudy.equilibrium.deflections import CORNER_PART, corner_part, deflection_forms
 from wrinklestudy.equilibrium.flat import Flat
 from wrinklestudy.equilibrium.mirror_stability import softest_modes
-from wrinklestudy.equilibrium.modes import CORNER_PART, corner_part, deflection_forms
 from wrinklestudy.equilibrium.problem import PlateProblem
 from wrinklestudy.equilibrium.unwrinkled import lifted, plate_problem, relaxed
 from wrinklestudy.fem.boundary import NO_MIRRORS, Symmetry

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import sparse
 
-from wrinklestudy.equilibrium.modes import deflection_forms
+from wrinklestudy.equilibrium.deflections import deflection_forms
 from wrinklestudy.equilibrium.wrinkled import Equilibrium
 from wrinklestudy.fem.assembly import Assembler
 from wrinklestudy.fem.factorisation import make_indefinite_solver, symmetric

@@ -17,24 +17,23 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from scipy import sparse
 
+from wrinklestudy.equilibrium.deflections import (
+    CORNER_PART,
+    DeflectionForms,
+    corner_part,
+    deflection_forms,
+)
 from wrinklestudy.equilibrium.flat import Flat
 from wrinklestudy.equilibrium.quartic import quartic_form
-from wrinklestudy.fem.assembly import Assembler, shared_assembler
 from wrinklestudy.fem.boundary import QUARTER, Symmetry
 from wrinklestudy.fem.factorisation import (
     NotPositiveDefiniteError,
     count_negative_eigenvalues,
     symmetric,
 )
-from wrinklestudy.mechanics import plate
 from wrinklestudy.typing import Array, Mask
 
-# A mode is one of the corner when more than half of its bending energy sits beyond these parts of
-# half the length and half the width.
-_CORNER = (0.8, 0.6)
-CORNER_PART = 0.5
 # Thinner than any sheet: modes of a smaller critical thickness count as always stable. Where no
 # thickness wrinkles, thousands of tau^2 crowd below zero, and Lanczos never tells them apart; nor
 # those near zero beside a leading mode of the corner.
@@ -49,9 +48,25 @@ _LARGEST_TRIAL = 1.0
 _TRIAL_GROWTH = 2.0
 _NEAR_GROWTH = 1.1  # where tau_1 is known roughly
 _LOOSEST_TRIAL = 4.0  # the least bound that is sought, in units of tau_1
-_LANCZOS = 4  # vectors for each eigenvalue
 _FEWEST_VECTORS = 8
-_EIGENVALUE_TOLERANCE = 1.0e-10
+
+
+class Search(NamedTuple):
+    """How Lanczos' method looks for modes.
+
+    Parameters
+    ----------
+    tolerance : float
+        Relative error of the modes; that of tau^2 is its square.
+    vectors : int
+        For each mode.
+    """
+
+    tolerance: float
+    vectors: int
+
+
+_CLOSE = Search(1.0e-10, 4)
 
 
 @dataclass(frozen=True)
@@ -101,42 +116,6 @@ class Modes:
         return float(self.thickness[self.wrinkles].max(initial=0.0))
 
 
-class DeflectionForms(NamedTuple):
-    """Stress S and bending B of small deflections of a flat state."""
-
-    stress: sparse.csr_array  # upper triangle of S
-    bending: sparse.csr_array  # upper triangle of B
-    assembler: Assembler  # of the free deflections
-    points: Array  # point values of B, (15, nq, ne)
-
-    def shifted(self, sigma: float) -> sparse.csr_array:
-        """Return the upper triangle of S + sigma B."""
-        data = self.stress.data + sigma * self.bending.data
-        pattern = (self.stress.indices, self.stress.indptr)
-        return sparse.csr_array((data, *pattern), shape=self.stress.shape)
-
-
-def deflection_forms(flat: Flat, bending: str, symmetry: Symmetry) -> DeflectionForms:
-    """Return S and B of a flat state on the deflections that a symmetry leaves free.
-
-    Raises
-    ------
-    ArithmeticError
-        If the bending law has no value at the flat state.
-    """
-    space = flat.space
-    stress, bent = plate.deflection(
-        flat.law, bending, space.derivatives(flat.sheet_position), space.relative_thickness
-    )
-    if not np.isfinite(bent).all():
-        raise ArithmeticError(
-            f"flat state at strain {flat.strain:g}: the law leaves no thickness somewhere"
-        )
-    assembler = shared_assembler(space, symmetry.free(space)[2:])
-    matrices = (assembler.tangent([stress]), assembler.tangent([bent]))
-    return DeflectionForms(*matrices, assembler, bent)
-
-
 class CriticalMode(NamedTuple):
     """The wrinkle that the thickest unstable sheet has."""
 
@@ -163,6 +142,8 @@ def spectrum(
     count: int = 8,
     near: float | None = None,
     start: Array | None = None,
+    search: Search = _CLOSE,
+    forms: DeflectionForms | None = None,
 ) -> Spectrum:
     """Return the largest critical thicknesses of a flat state and their modes, see `Modes`.
 
@@ -183,13 +164,17 @@ def spectrum(
         A thickness a little above tau_1, where that is known: it saves most of the time.
     start : (size,) array, optional
         A deflection like the leading mode, where one is known.
+    search : Search
+        How closely they are found.
+    forms : DeflectionForms, optional
+        Of the flat state, where they are known.
 
     Raises
     ------
     ArithmeticError
         If the flat sheet is unstable at any thickness up to W.
     """
-    forms = deflection_forms(flat, bending, symmetry)
+    forms = forms or deflection_forms(flat, bending, symmetry)
     if _definite(forms, _SMALLEST_THICKNESS):
         return Spectrum(np.empty(0), np.empty((0, flat.space.size)), np.empty(0))
     trial = min(_FIRST_TRIAL, max(_TRIAL_OVER_ROOT * abs(flat.strain) ** 0.5, _SMALLEST_TRIAL))
@@ -197,7 +182,7 @@ def spectrum(
     least = max(_SMALLEST_PART * trial / _LOOSEST_TRIAL, _SMALLEST_THICKNESS)
     unstable = 1 if count == 1 else count_negative_eigenvalues(forms.shifted(least**2))
     first = None if start is None else start[forms.assembler.free[0]]
-    squared, vectors = _eigen(forms, min(count, unstable), trial, first)
+    squared, vectors = _eigen(forms, min(count, unstable), trial, first, search)
     kept = squared >= _SMALLEST_PART**2 * squared[0]
     shapes = np.zeros((kept.sum(), flat.space.size))
     shapes[:, forms.assembler.free[0]] = vectors.T[kept]
@@ -255,7 +240,11 @@ def critical_modes(
 
 
 def _eigen(
-    forms: DeflectionForms, count: int, trial: float, start: Array | None = None
+    forms: DeflectionForms,
+    count: int,
+    trial: float,
+    start: Array | None = None,
+    search: Search = _CLOSE,
 ) -> tuple[Array, Array]:
     """Solve -S phi = mu B phi for the largest mu below sigma, the square of a trial thickness.
 
@@ -275,8 +264,8 @@ def _eigen(
         Minv=LinearOperator((size, size), matvec=forms.assembler.solver.solve, dtype=np.float64),
         which="LA",
         v0=np.ones(size) if start is None else start,
-        ncv=min(max(_LANCZOS * count, _FEWEST_VECTORS), size),
-        tol=_EIGENVALUE_TOLERANCE,
+        ncv=min(max(search.vectors * count, _FEWEST_VECTORS), size),
+        tol=search.tolerance,
     )
     order = np.argsort(theta)[::-1]
     theta, vectors = theta[order], vectors[:, order]
@@ -306,23 +295,3 @@ def _definite(forms: DeflectionForms, thickness: float) -> bool:
     except NotPositiveDefiniteError:
         return False
     return True
-
-
-def corner_part(flat: Flat, bent: Array, shapes: Array) -> Array:
-    """Return the part of the bending energy of each mode at the corner of the sheet."""
-    space = flat.space
-    values = space.derivatives(shapes)
-    entries = [(a, b) for a in range(5) for b in range(a, 5)]
-    density = np.zeros(values.shape[1:])
-    for row, (a, b) in enumerate(entries):
-        density += (1.0 if a == b else 2.0) * bent[row] * values[a] * values[b]
-    by_cell = (density * space.measure).sum(axis=1)
-    x, y = np.meshgrid(_inner(space.grid.x), _inner(space.grid.y), indexing="ij")
-    corner = (x > _CORNER[0] * space.grid.x[-1] - 1e-9) & (y > _CORNER[1] * space.grid.y[-1] - 1e-9)
-    fraction: Array = by_cell[:, corner.ravel()].sum(axis=1) / by_cell.sum(axis=1)
-    return fraction
-
-
-def _inner(lines: Array) -> Array:
-    """Return how far each cell begins from the middle of the sheet along one direction."""
-    return np.minimum(np.abs(lines[:-1]), np.abs(lines[1:]))

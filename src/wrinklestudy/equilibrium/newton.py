@@ -36,6 +36,11 @@ class Observer(Protocol):
         """Be told of the stage that runs, and of its last iteration if it has any."""
 
 
+# Near the minimum a step with the last tangent, updated by BFGS, costs a sixth of one with a new
+# tangent. Such steps begin when the decrement is this part of the energy.
+_QUASI_DECREMENT = 1.0e-8
+
+
 @dataclass(frozen=True)
 class NewtonOptions:
     """Options of the minimisation.
@@ -61,6 +66,9 @@ class NewtonOptions:
         old tangent, which tells nothing of the other side of a jump.
     eager : bool
         Whether a step after one with a shift tries none first, rather than an eighth of it.
+    quasi : float
+        Part of the energy from which on a step with the last tangent, updated by BFGS, follows a
+        plain one.
     observe : callable, optional
         Is told of each iteration with a new tangent.
     """
@@ -73,6 +81,7 @@ class NewtonOptions:
     noise: float = 0.0
     smooth: bool = True
     eager: bool = False
+    quasi: float = _QUASI_DECREMENT
     observe: Callable[[Iteration], None] | None = None
 
     def __post_init__(self) -> None:
@@ -118,10 +127,7 @@ _MAX_SHIFTS = 30
 _MAX_HALVINGS = 30
 _MAX_QUASI = 8
 _ARMIJO = 1.0e-4
-# Near the minimum a step with the last tangent, updated by BFGS, costs a sixth of one with a new
-# tangent. Such steps begin when the decrement is this part of the energy and go on while each
-# divides it by this.
-_QUASI_DECREMENT = 1.0e-8
+# Such steps go on while each divides the decrement by this.
 _QUASI_GAIN = 10.0
 # Newton's method squares the error: where one iteration gains less than this, rounding is left.
 _ROUNDED = 10.0
@@ -170,7 +176,7 @@ def minimise(problem: Problem, start: Array, solver: Solver, options: NewtonOpti
             break
         unknowns = unknowns + step.length * step.direction
         energy += step.gain
-        if options.smooth and step.is_plain and step.decrement <= _QUASI_DECREMENT * abs(energy):
+        if options.smooth and step.is_plain and step.decrement <= options.quasi * abs(energy):
             finish = _finish(
                 problem, unknowns, here.residual, step.direction, solver, options, history
             )

@@ -7,17 +7,23 @@ an odd pattern, its slope across for an even one. What force the pin carries, an
 without it, are reported with the state.
 """
 
+from collections.abc import Callable
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 from scipy import sparse
 
 from wrinklestudy.equilibrium.energy import EnergyExpansion
+from wrinklestudy.equilibrium.flat import Flat
 from wrinklestudy.equilibrium.problem import PlateProblem, Predicting
+from wrinklestudy.equilibrium.quartic import relaxations
 from wrinklestudy.fem.factorisation import Solver, multiply
 from wrinklestudy.fem.space import Space
 from wrinklestudy.typing import Array, Mask
 from wrinklestudy.vocabulary import Parity
+
+_RESIDUAL, _MAX_STEPS = 1.0e-7, 10
 
 
 def pinned_dof(space: Space, parity: Parity) -> int:
@@ -75,6 +81,39 @@ class Pinned:
         return residual
 
 
+def further(
+    flat: Flat, bent: sparse.csr_array, position: Array, unwrinkled: Array, direction: Array
+) -> Array:
+    """Return a first guess (3, size) of the state whose pattern is a quarter of a wave further.
+
+    Its wrinkles are the direction in which the pattern slides, with as much bending energy as those
+    of the state. In its plane the sheet gives way to them as it does to those of the state.
+
+    Parameters
+    ----------
+    flat : Flat
+    bent : sparse array
+        B on the free deflections.
+    position : (3, size) array
+        The state.
+    unwrinkled : (3, size) array
+        The sheet without wrinkles.
+    direction : (n,) array
+        See `Slide`.
+    """
+    free = flat.symmetry.free(flat.space)[2]
+    wrinkles = np.zeros((2, flat.space.size))
+    wrinkles[0, free] = (position - unwrinkled)[2, free]
+    wrinkles[1, free] = direction[-bent.shape[0] :]
+    own, other = (float(w @ multiply(bent, w)) for w in wrinkles[:, free])
+    wrinkles[1] *= np.sqrt(own / other)
+    guess = position.copy()
+    guess[2] = unwrinkled[2] + wrinkles[1]
+    here, there = relaxations(flat, np.stack([position[2], guess[2]]))
+    guess[:2] += there - here
+    return guess
+
+
 class Slide(NamedTuple):
     """What the pin holds, and what the sheet would be like without it.
 
@@ -86,10 +125,13 @@ class Slide(NamedTuple):
     softest : float
         Smallest mu of K v = mu t^3 B v without the pin, with the tangent K and the bending matrix B
         of the flat state: the stiffness against sliding over that against bending.
+    direction : (n,) array
+        How the sheet slides: the deflection is a pattern a quarter of a wave further.
     """
 
     reaction: float
     softest: float
+    direction: Array
 
 
 def slide(pinned: Pinned, unknowns: Array, bent: sparse.csr_array, solver: Solver) -> Slide:
@@ -106,24 +148,36 @@ def slide(pinned: Pinned, unknowns: Array, bent: sparse.csr_array, solver: Solve
     bent : sparse array
         t^3 B on the free deflections, the last of the unknowns.
     solver : Solver
-        For matrices of the pattern of the problem.
-
-    Raises
-    ------
-    NotPositiveDefiniteError
-        If the sheet is unstable with its pin.
+        With the pinned tangent at the last iterate of Newton's method, which is close to that at
+        the equilibrium.
     """
     here, pin = pinned.problem.derivatives(unknowns), pinned.unknown
     unit = np.zeros(len(unknowns))
     unit[pin] = 1.0
     column = multiply(here.tangent, unit)
     stiffness = float(column[pin])
-    solver.factorise(pinned.held(here.tangent, 1.0))
-    moved = column.copy()
-    moved[pin] = 0.0
-    direction = unit - solver.solve(moved)
+    column[pin] = 0.0
+    direction = unit - _solve(pinned.held(here.tangent, 1.0), column, solver)
     work = float(direction @ multiply(here.tangent, direction))
     bending = direction[-bent.shape[0] :]
     softest = work / float(bending @ multiply(bent, bending))
     thickness = pinned.problem.thickness
-    return Slide(float(here.residual[pin]) / (stiffness * thickness), softest)
+    return Slide(float(here.residual[pin]) / (stiffness * thickness), softest, direction)
+
+
+def _solve(upper: sparse.csr_array, rhs: Array, solver: Solver) -> Array:
+    """Solve K x = b by conjugate gradients, with a factorisation of a matrix that is close to K."""
+    from scipy.sparse.linalg import LinearOperator, cg
+
+    def operator(action: Callable[[Array], Array]) -> LinearOperator:
+        return LinearOperator(upper.shape, matvec=action, dtype=np.float64)
+
+    solution: Array = cg(
+        operator(partial(multiply, upper)),
+        rhs,
+        x0=solver.solve(rhs),
+        rtol=_RESIDUAL,
+        maxiter=_MAX_STEPS,
+        M=operator(solver.solve),
+    )[0]
+    return solution

@@ -53,6 +53,14 @@ def quartic_coefficients(flat: Flat, shapes: Sequence[Array]) -> Array:
     return coefficients
 
 
+def relaxations(flat: Flat, shapes: Array) -> Array:
+    """Return the in-plane displacement that belongs to each deflection alone, (m, 2, size)."""
+    answers = _responses(flat, shapes, [(i, i) for i in range(len(shapes))]).answers
+    displacements = np.zeros((len(shapes), 2, flat.space.size))
+    displacements[:, membrane_assembler(flat.space, flat.symmetry).free] = answers
+    return displacements
+
+
 class _Responses(NamedTuple):
     """What pairs of modes do to the membrane, a row for each pair."""
 

@@ -8,8 +8,8 @@ stiffness t S + t^3 B of `modes`.
 from dataclasses import replace
 
 from wrinklestudy.equilibrium import newton
+from wrinklestudy.equilibrium.deflections import DeflectionForms, deflection_forms
 from wrinklestudy.equilibrium.flat import ROUNDING, Flat, NotConvergedError
-from wrinklestudy.equilibrium.modes import DeflectionForms, deflection_forms
 from wrinklestudy.equilibrium.problem import PlateProblem
 from wrinklestudy.fem.boundary import Symmetry
 from wrinklestudy.fem.factorisation import NotPositiveDefiniteError

@@ -10,19 +10,19 @@ from functools import partial
 from typing import Literal, NamedTuple
 
 import numpy as np
+from scipy import sparse
 
 from wrinklestudy.equilibrium import newton
-from wrinklestudy.equilibrium.families import families, opposite
+from wrinklestudy.equilibrium.families import Families, opposite
 from wrinklestudy.equilibrium.flat import ROUNDING, Flat
 from wrinklestudy.equilibrium.flat import solve as solve_flat
-from wrinklestudy.equilibrium.modes import Modes, deflection_forms
-from wrinklestudy.equilibrium.pin import Pinned, pinned_dof, slide
+from wrinklestudy.equilibrium.modes import Modes
+from wrinklestudy.equilibrium.pin import Pinned, further, pinned_dof, slide
 from wrinklestudy.equilibrium.problem import PlateProblem, Predicting
 from wrinklestudy.equilibrium.seeds import seed_position, seeds
 from wrinklestudy.equilibrium.unwrinkled import lifted, planar_symmetry, plate_problem
 from wrinklestudy.equilibrium.wrinkled import WrinkleSettings
 from wrinklestudy.fem.boundary import Symmetry
-from wrinklestudy.fem.factorisation import NotPositiveDefiniteError
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics.laws import Law
 from wrinklestudy.typing import Array
@@ -31,6 +31,7 @@ from wrinklestudy.vocabulary import Parity
 # Steps with a predicted tangent lead along narrow valleys of the energy, a little up their walls.
 _RISE = 10.0
 _PARTNER_TOLERANCE = 1.0e-12
+_CLOSE, _ROUGH = 1.0e-8, 1.0e-6  # where few digits are wanted old tangents give them sooner
 _ABOVE = 1.2  # thickness, over tau_1, at which an unwrinkled state is lifted
 WholeStatus = Literal["wrinkled", "unwrinkled", "flat", "not-converged"]
 
@@ -66,6 +67,8 @@ class WholeEquilibrium:
     history : tuple of newton.Iteration
     pin_reaction, softest : float
         See `pin.Slide`; NaN where there is no pin.
+    slide : (n,) array or None
+        The direction of `pin.Slide`.
     partner : WholeEquilibrium or None
         The state of the other parity, a quarter of a wave further across; None where the sheet
         does not wrinkle.
@@ -85,6 +88,7 @@ class WholeEquilibrium:
     history: tuple[newton.Iteration, ...]
     pin_reaction: float = float("nan")
     softest: float = float("nan")
+    slide: Array | None = None
     partner: "WholeEquilibrium | None" = None
 
     @property
@@ -158,27 +162,27 @@ def solve(
     flat = solve_flat(space, law, strain, symmetry=symmetry, observer=observer)
     if observer is not None:
         observer("modes", None)
-    both = families(flat, settings.bending, settings.parity, settings.modes)
+    families = Families(flat, settings.bending, thickness, settings.modes)
     options = options or WrinkleSettings()
-    state = _of_family(flat, both[0], settings, thickness, options, observer)
+    known = _known(families, settings, thickness)
+    state = _of_family(known, options, observer)
     if state.status != "wrinkled":
         return state
     # The amplitude of the other is wanted, not its last digits.
     rough = replace(options, tolerance=max(options.tolerance, _PARTNER_TOLERANCE))
     other = replace(settings, parity=opposite(settings.parity))
-    return replace(state, partner=_of_family(flat, both[1], other, thickness, rough, observer))
+    if state.slide is not None:
+        start = further(flat, known.bent, state.position, state.unwrinkled, state.slide)
+        partner = _minimised(known._replace(settings=other), start, rough, observer)
+        if partner.status == "wrinkled":
+            return replace(state, partner=partner)
+    known = _known(families, other, thickness)
+    return replace(state, partner=_of_family(known, rough, observer))
 
 
-def _of_family(
-    flat: Flat,
-    modes: Modes,
-    settings: WholeSettings,
-    thickness: float,
-    options: WrinkleSettings,
-    observer: newton.Observer | None,
-) -> WholeEquilibrium:
-    """Return the state of one parity."""
-    critical, bending = modes.critical_thickness, settings.bending
+def _known(families: Families, settings: WholeSettings, thickness: float) -> "_Known":
+    """Return what there is to know of the states of a parity."""
+    flat, modes, bending = families.flat, families.modes(settings.parity), settings.bending
     # A mirror at Y = 0 goes with perfect clamps; the parity of z is then that of the modes.
     symmetry = replace(modes.symmetry, clamps=settings.symmetry.clamps)
     problem = plate_problem(flat, symmetry, bending, thickness, settings.weight)
@@ -186,13 +190,23 @@ def _of_family(
     if not settings.stays_flat:
         highest = float(np.sqrt(modes.squared.max(initial=0.0)))  # of wrinkles or of corners
         unwrinkled = lifted(flat, problem, bending, max(_ABOVE * highest, thickness))
-    known = _Known(flat, modes, problem, unwrinkled, symmetry, settings)
-    if thickness >= critical and settings.stays_flat:
+    return _Known(
+        flat, modes, problem, unwrinkled, symmetry, settings, families.bent(modes.symmetry)
+    )
+
+
+def _of_family(
+    known: "_Known", options: WrinkleSettings, observer: newton.Observer | None
+) -> WholeEquilibrium:
+    """Return the state of one parity from its own seed."""
+    flat, modes, thickness = known.flat, known.modes, known.problem.thickness
+    critical = modes.critical_thickness
+    if thickness >= critical and known.settings.stays_flat:
         return _flat(known)
-    starts = [unwrinkled]
+    starts = [known.unwrinkled]
     if thickness < critical:
         starts = [
-            unwrinkled + seed_position(flat, modes, q) - flat.sheet_position
+            known.centred(known.unwrinkled + seed_position(flat, modes, q) - flat.sheet_position)
             for q in seeds(modes, thickness)[: options.seeds]
         ]
     states = [_minimised(known, start, options, observer) for start in starts]
@@ -208,11 +222,18 @@ class _Known(NamedTuple):
     unwrinkled: Array
     symmetry: Symmetry
     settings: WholeSettings
+    bent: sparse.csr_array  # B on the free deflections
 
     @property
     def ceiling(self) -> float:
         """The energy below which a wrinkled state lies."""
         return self.problem.thickness * self.flat.energy if self.settings.stays_flat else np.inf
+
+    def centred(self, position: Array) -> Array:
+        """Return a first guess whose wrinkles vanish where a pin holds them."""
+        pin = pinned_dof(self.flat.space, self.settings.parity)
+        position[2, pin] = self.unwrinkled[2, pin]
+        return position
 
 
 def _flat(known: _Known) -> WholeEquilibrium:
@@ -242,8 +263,10 @@ def _minimised(
     """Return the state to which the energy falls from a start."""
     flat, problem = known.flat, known.problem
     thickness, critical = problem.thickness, known.modes.critical_thickness
-    slides = known.symmetry.odd_across is None and critical > thickness
-    pinned = Pinned(problem, _pinned_unknown(problem, known.settings.parity)) if slides else None
+    unknowns, solver, pinned = start[problem.assembler.free], problem.assembler.solver, None
+    if known.symmetry.odd_across is None and critical > thickness:
+        pin = _pinned_unknown(problem, known.settings.parity)
+        pinned = Pinned(problem, pin)
     limits = newton.NewtonOptions(
         tolerance=options.tolerance,
         max_iterations=options.max_iterations,
@@ -252,9 +275,9 @@ def _minimised(
         ceiling=known.ceiling,
         noise=ROUNDING * thickness,
         eager=True,
+        quasi=_ROUGH if options.tolerance >= _PARTNER_TOLERANCE else _CLOSE,
         observe=None if observer is None else partial(observer, "wrinkled state"),
     )
-    unknowns, solver = start[problem.assembler.free], problem.assembler.solver
     minimum = newton.minimise(pinned or Predicting(problem), unknowns, solver, limits)
     reason = minimum.reason
     if not reason and not minimum.energy < known.ceiling:
@@ -284,14 +307,8 @@ def _with_slide(
     state: WholeEquilibrium, pinned: Pinned, unknowns: Array, known: _Known
 ) -> WholeEquilibrium:
     """Return a state with what its pin carries and the pattern to which it can slide."""
-    flat, thickness = state.flat, state.thickness
-    forms = deflection_forms(flat, known.settings.bending, flat.symmetry)
-    bent = thickness**3 * forms.bending
-    try:
-        found = slide(pinned, unknowns, bent, known.problem.assembler.solver)
-    except NotPositiveDefiniteError:
-        return replace(state, status="not-converged", reason="unstable although it is pinned")
-    return replace(state, pin_reaction=found.reaction, softest=found.softest)
+    found = slide(pinned, unknowns, state.thickness**3 * known.bent, known.problem.assembler.solver)
+    return replace(state, pin_reaction=found.reaction, softest=found.softest, slide=found.direction)
 
 
 def _pinned_unknown(problem: PlateProblem, parity: Parity) -> int:
