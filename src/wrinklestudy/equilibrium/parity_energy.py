@@ -1,6 +1,6 @@
 """How much lower one parity of the wrinkles lies than the other, where the pattern may slide."""
 
-from wrinklestudy.equilibrium.modes import deflection_forms
+from wrinklestudy.equilibrium.deflections import deflection_forms
 from wrinklestudy.equilibrium.whole import WholeEquilibrium
 from wrinklestudy.fem.factorisation import symmetric
 from wrinklestudy.vocabulary import Parity
