@@ -17,7 +17,7 @@ from wrinklestudy.metrics.phase_band import PhaseBand, phase_band
 from wrinklestudy.results.rows import Row, described
 from wrinklestudy.results.solved import State
 from wrinklestudy.typing import Array
-from wrinklestudy.vocabulary import Parity, Part
+from wrinklestudy.vocabulary import FEWEST_CELLS, Parity, Part
 
 WHOLE_STATUSES = ("wrinkled", "unwrinkled", "flat", "not-converged")
 
@@ -56,6 +56,11 @@ class WholeRow(Row):
     )
     wavelength_over_width: float | None = described(
         "lambda/W, distance of the two central peaks of the same sign", measured=True, shown=True
+    )
+    cells_per_wavelength: float | None = described(
+        f"cells of the mesh in one wavelength across; below {FEWEST_CELLS:g} it is too coarse",
+        measured=True,
+        shown=True,
     )
     arc_width_over_width: float | None = described(
         "W_act/W, arc length of x = 0", measured=True, shown=True
@@ -185,6 +190,10 @@ class WholeState(State):
             row,
             amplitude_over_thickness=measures.amplitude / t,
             wavelength_over_width=_or_none(measures.wavelength),
+            # the cells across are equal, and so is the contraction across
+            cells_per_wavelength=_or_none(
+                _cells_across(solved) * measures.wavelength / measures.projected_width
+            ),
             arc_width_over_width=measures.arc_width,
             projected_width_over_width=measures.projected_width,
             phi_squared=measures.phi_squared,
@@ -238,6 +247,7 @@ def _unknown(state: WholeState) -> WholeRow:
         amplitude_high=None,
         envelope_amplitude=None,
         wavelength_over_width=None,
+        cells_per_wavelength=None,
         arc_width_over_width=None,
         projected_width_over_width=None,
         phi_squared=None,
@@ -277,6 +287,12 @@ def _tilt(sheet: DeformedSheet, parity: str) -> float:
     place = [whole.evaluate(centre, centre, *order)[:2, 0, 0] for order in ((1, 0), (0, 1))]
     direction = place[0] - along / across * place[1] if across else place[0]
     return float(np.arctan2(direction[1], direction[0]))
+
+
+def _cells_across(solved: WholeEquilibrium) -> int:
+    """Return the number of cells from edge to edge."""
+    grid = solved.flat.space.grid
+    return grid.cells[1] * (2 if grid.y[0] == 0.0 else 1)
 
 
 def _or_none(value: float) -> float | None:
