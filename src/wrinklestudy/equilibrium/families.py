@@ -14,7 +14,7 @@ from scipy import sparse
 
 from wrinklestudy.equilibrium.deflections import DeflectionForms, corner_part, deflection_forms
 from wrinklestudy.equilibrium.flat import Flat
-from wrinklestudy.equilibrium.modes import Modes, Search, Spectrum, spectrum
+from wrinklestudy.equilibrium.modes import Modes, ModeSearch, Spectrum, spectrum
 from wrinklestudy.equilibrium.quartic import quartic_form
 from wrinklestudy.fem.boundary import Symmetry
 from wrinklestudy.fem.factorisation import count_negative_eigenvalues, symmetric
@@ -25,7 +25,7 @@ _MIRRORED = 1.0e-3  # how near to one the overlap of a mode with its mirror imag
 # Modes of both families that are looked for beside those that the thickness makes unstable; more
 # would change the first guess, but not the number of iterations that it needs.
 _SPARE, _FEWEST = 6, 12
-_SEED = Search(1.0e-5, 2)  # modes for a first guess; tau to 1e-10
+_SEED = ModeSearch(1.0e-5, 2)  # modes for a first guess; tau to 1e-10
 
 
 class Families:

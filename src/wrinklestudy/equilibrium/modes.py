@@ -51,7 +51,7 @@ _LOOSEST_TRIAL = 4.0  # the least bound that is sought, in units of tau_1
 _FEWEST_VECTORS = 8
 
 
-class Search(NamedTuple):
+class ModeSearch(NamedTuple):
     """How Lanczos' method looks for modes.
 
     Parameters
@@ -66,7 +66,8 @@ class Search(NamedTuple):
     vectors: int
 
 
-_CLOSE = Search(1.0e-10, 4)
+_CLOSE = ModeSearch(1.0e-10, 4)
+_EQUAL = ModeSearch(1.0e-6, 4)  # modes that are equal to 1e-8 are told apart no better
 
 
 @dataclass(frozen=True)
@@ -142,7 +143,7 @@ def spectrum(
     count: int = 8,
     near: float | None = None,
     start: Array | None = None,
-    search: Search = _CLOSE,
+    search: ModeSearch = _CLOSE,
     forms: DeflectionForms | None = None,
 ) -> Spectrum:
     """Return the largest critical thicknesses of a flat state and their modes, see `Modes`.
@@ -164,7 +165,7 @@ def spectrum(
         A thickness a little above tau_1, where that is known: it saves most of the time.
     start : (size,) array, optional
         A deflection like the leading mode, where one is known.
-    search : Search
+    search : ModeSearch
         How closely they are found.
     forms : DeflectionForms, optional
         Of the flat state, where they are known.
@@ -211,9 +212,13 @@ def critical_mode(
     start: Array | None = None,
 ) -> CriticalMode:
     """Return tau_1 with its mode; see `spectrum` for the parameters and errors."""
-    count = 2 if near is None else 1  # a good bound sets even one mode well apart
+    # Without a mirror each mode comes twice, and neither of two that are all but equal is found
+    # alone. A good bound sets the first well apart.
+    copies = 2 ** [symmetry.odd_along, symmetry.odd_across].count(None)
+    count = copies if near is not None else 2 * copies
+    search = _CLOSE if copies == 1 else _EQUAL
     while True:
-        squared, shapes, corner = spectrum(flat, bending, symmetry, count, near, start)
+        squared, shapes, corner = spectrum(flat, bending, symmetry, count, near, start, search)
         wrinkles = np.flatnonzero(corner < CORNER_PART)
         if len(wrinkles) > 0:
             first = int(wrinkles[0])  # they fall
@@ -244,7 +249,7 @@ def _eigen(
     count: int,
     trial: float,
     start: Array | None = None,
-    search: Search = _CLOSE,
+    search: ModeSearch = _CLOSE,
 ) -> tuple[Array, Array]:
     """Solve -S phi = mu B phi for the largest mu below sigma, the square of a trial thickness.
 
@@ -254,19 +259,24 @@ def _eigen(
     even where B is not: for Mooney-Rivlin d2W/dg12^2 is negative beyond a shear that the corner
     reaches.
     """
-    from scipy.sparse.linalg import LinearOperator, eigsh
+    from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigsh
 
     size = forms.assembler.size
-    theta, vectors = eigsh(
-        symmetric(forms.bending),
-        k=count,
-        M=symmetric(forms.shifted(trial**2)),
-        Minv=LinearOperator((size, size), matvec=forms.assembler.solver.solve, dtype=np.float64),
-        which="LA",
-        v0=np.ones(size) if start is None else start,
-        ncv=min(max(search.vectors * count, _FEWEST_VECTORS), size),
-        tol=search.tolerance,
-    )
+    try:
+        theta, vectors = eigsh(
+            symmetric(forms.bending),
+            k=count,
+            M=symmetric(forms.shifted(trial**2)),
+            Minv=LinearOperator(
+                (size, size), matvec=forms.assembler.solver.solve, dtype=np.float64
+            ),
+            which="LA",
+            v0=np.ones(size) if start is None else start,
+            ncv=min(max(search.vectors * count, _FEWEST_VECTORS), size),
+            tol=search.tolerance,
+        )
+    except ArpackNoConvergence:
+        raise ArithmeticError("the critical thicknesses are not found") from None
     order = np.argsort(theta)[::-1]
     theta, vectors = theta[order], vectors[:, order]
     vectors = vectors / np.sqrt(theta)  # phi . B phi = 1
