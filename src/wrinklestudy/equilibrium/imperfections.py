@@ -1,7 +1,6 @@
 """What an experiment's sheet is like that a perfect one is not, and which symmetry that leaves."""
 
 from dataclasses import dataclass
-from itertools import product
 from typing import Literal, NamedTuple
 
 from wrinklestudy.fem.boundary import PERFECT, Symmetry
@@ -46,6 +45,16 @@ class Imperfections:
     def stays_flat(self) -> bool:
         """Whether nothing lifts the sheet out of its plane, so that z -> -z is a symmetry."""
         return self.clamps.planar and self.weight == 0.0
+
+    @property
+    def lifting(self) -> list[str]:
+        """What lifts the sheet out of its plane, in words."""
+        clamps = [
+            f"the {name} of the clamps"
+            for name in ("twist", "pitch", "lift")
+            if getattr(self.clamps, name) != 0.0
+        ]
+        return [*clamps, *(["the weight of the sheet"] if self.weight != 0.0 else [])]
 
     def keep(self, signs: tuple[int, int, int], aspect: float) -> bool:
         """Return whether the sheet is the same after changes of sign of x, y and z."""
@@ -97,7 +106,6 @@ class Bifurcation(NamedTuple):
 
 
 _WORDS = {
-    (1, 1, -1): "z -> -z",
     (-1, 1, 1): "x -> -x",
     (1, -1, 1): "y -> -y",
     (-1, -1, 1): "of a turn by pi about z",
@@ -111,7 +119,7 @@ def bifurcation(imperfections: Imperfections, aspect: float, parity: Parity) -> 
     """Return whether the wrinkles of a sheet appear at a sharp strain.
 
     They do where a symmetry of the sheet turns the wrinkles upside down: those of a perfect sheet
-    are even along the pull, and odd or even across it. Where z -> -z is one, both are.
+    are even along the pull, and odd or even across it. Where z -> -z is one, it is broken by both.
 
     Parameters
     ----------
@@ -122,11 +130,16 @@ def bifurcation(imperfections: Imperfections, aspect: float, parity: Parity) -> 
         Of the pattern at the centre.
     """
     across = -1 if parity == "antisymmetric" else 1
-    signs = sorted(product((1, -1), repeat=3), key=lambda s: (s != (1, 1, -1), s.count(-1)))
-    for x, y, z in signs:
+    if imperfections.stays_flat:
+        return Bifurcation(
+            "sharp", "the sheet is flat until it wrinkles, and wrinkles break z -> -z"
+        )
+    causes = imperfections.lifting
+    wrinkles = f"wrinkles that are {'odd' if across < 0 else 'even'} across"
+    lost = f"{' and '.join(causes)} {'breaks' if len(causes) == 1 else 'break'} z -> -z"
+    for x, y, z in sorted(_WORDS, key=lambda signs: signs.count(-1)):
         turned = z * (across if y < 0 else 1)
         if turned < 0 and imperfections.keep((x, y, z), aspect):
-            return Bifurcation(
-                "sharp", f"the sheet has the symmetry {_WORDS[x, y, z]}, wrinkles do not"
-            )
-    return Bifurcation("rounded", "the sheet has no symmetry that the wrinkles break")
+            kept = f"the symmetry {_WORDS[x, y, z]} is left for {wrinkles} to break"
+            return Bifurcation("sharp", f"{lost}, but {kept}")
+    return Bifurcation("rounded", f"{lost}, and {wrinkles} break no symmetry that is left")

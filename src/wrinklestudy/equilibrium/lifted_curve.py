@@ -22,7 +22,7 @@ from wrinklestudy.typing import Array
 
 _ABOVE = 1.2  # thickness, over tau_1 of the flat sheet, at which it is lifted
 _MAX_SHIFTS = 12
-_MODES = 6  # four of the corners, and the first wrinkle in its two parities
+_MODES = 8  # four of the corners, and the first two wrinkles in both parities
 
 
 @dataclass(frozen=True, eq=False)

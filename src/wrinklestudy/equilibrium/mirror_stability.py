@@ -19,7 +19,7 @@ from wrinklestudy.mechanics import plate
 from wrinklestudy.mechanics.section import Section
 from wrinklestudy.typing import Array
 
-_EIGENVALUE_TOLERANCE = 1.0e-9  # of several; a single one is found to rounding
+_EIGENVALUE_TOLERANCE = 1.0e-6  # of several vectors; a single one is found to rounding
 _LANCZOS = 5  # vectors for each
 
 
@@ -123,8 +123,13 @@ def softest_modes(
     shift : float
     start : (n,) array
         A vector that has something of all that are wanted.
+
+    Raises
+    ------
+    ArithmeticError
+        If they are not found.
     """
-    from scipy.sparse.linalg import LinearOperator, eigsh
+    from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigsh
 
     size, deflections = tangent.shape[0], bent.shape[0]
     whole = symmetric(bent)
@@ -137,14 +142,17 @@ def softest_modes(
     def operator(action: Callable[[Array], Array]) -> LinearOperator:
         return LinearOperator((size, size), matvec=action, dtype=np.float64)
 
-    values, vectors = eigsh(
-        symmetric(tangent),
-        k=count,
-        M=operator(mass),
-        sigma=shift,
-        OPinv=operator(solve),
-        v0=solve(mass(start)),
-        ncv=min(max(_LANCZOS * count, 20), size),
-        tol=_EIGENVALUE_TOLERANCE if count > 1 else 0.0,
-    )
+    try:
+        values, vectors = eigsh(
+            symmetric(tangent),
+            k=count,
+            M=operator(mass),
+            sigma=shift,
+            OPinv=operator(solve),
+            v0=solve(mass(start)),
+            ncv=min(max(_LANCZOS * count, 20), size),
+            tol=_EIGENVALUE_TOLERANCE if count > 1 else 0.0,
+        )
+    except ArpackNoConvergence:
+        raise ArithmeticError("the softest eigenvalues are not found") from None
     return values, vectors

@@ -67,6 +67,7 @@ class ModeSearch(NamedTuple):
 
 
 _CLOSE = ModeSearch(1.0e-10, 4)
+_EQUAL = ModeSearch(1.0e-6, 4)  # modes that are equal to 1e-8 are told apart no better
 
 
 @dataclass(frozen=True)
@@ -211,9 +212,13 @@ def critical_mode(
     start: Array | None = None,
 ) -> CriticalMode:
     """Return tau_1 with its mode; see `spectrum` for the parameters and errors."""
-    count = 2 if near is None else 1  # a good bound sets even one mode well apart
+    # Without a mirror each mode comes twice, and neither of two that are all but equal is found
+    # alone. A good bound sets the first well apart.
+    copies = 2 ** [symmetry.odd_along, symmetry.odd_across].count(None)
+    count = copies if near is not None else 2 * copies
+    search = _CLOSE if copies == 1 else _EQUAL
     while True:
-        squared, shapes, corner = spectrum(flat, bending, symmetry, count, near, start)
+        squared, shapes, corner = spectrum(flat, bending, symmetry, count, near, start, search)
         wrinkles = np.flatnonzero(corner < CORNER_PART)
         if len(wrinkles) > 0:
             first = int(wrinkles[0])  # they fall
@@ -254,19 +259,24 @@ def _eigen(
     even where B is not: for Mooney-Rivlin d2W/dg12^2 is negative beyond a shear that the corner
     reaches.
     """
-    from scipy.sparse.linalg import LinearOperator, eigsh
+    from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigsh
 
     size = forms.assembler.size
-    theta, vectors = eigsh(
-        symmetric(forms.bending),
-        k=count,
-        M=symmetric(forms.shifted(trial**2)),
-        Minv=LinearOperator((size, size), matvec=forms.assembler.solver.solve, dtype=np.float64),
-        which="LA",
-        v0=np.ones(size) if start is None else start,
-        ncv=min(max(search.vectors * count, _FEWEST_VECTORS), size),
-        tol=search.tolerance,
-    )
+    try:
+        theta, vectors = eigsh(
+            symmetric(forms.bending),
+            k=count,
+            M=symmetric(forms.shifted(trial**2)),
+            Minv=LinearOperator(
+                (size, size), matvec=forms.assembler.solver.solve, dtype=np.float64
+            ),
+            which="LA",
+            v0=np.ones(size) if start is None else start,
+            ncv=min(max(search.vectors * count, _FEWEST_VECTORS), size),
+            tol=search.tolerance,
+        )
+    except ArpackNoConvergence:
+        raise ArithmeticError("the critical thicknesses are not found") from None
     order = np.argsort(theta)[::-1]
     theta, vectors = theta[order], vectors[:, order]
     vectors = vectors / np.sqrt(theta)  # phi . B phi = 1

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterable, Mapping, Sequence
 
 from wrinklestudy.files.storage import atomic_path
-from wrinklestudy.results.rows import Column
+from wrinklestudy.results.rows import Column, columns
 from wrinklestudy.results.tables import (
     COMPRESSION_COLUMNS,
     IMPERFECTION_COLUMNS,
@@ -17,6 +17,7 @@ from wrinklestudy.results.tables import (
     STATE_COLUMNS,
     TENSION_COLUMNS,
 )
+from wrinklestudy.results.whole import WholeRow
 
 _KINDS = {str: "text", int: "whole number", float: "number"}
 
@@ -41,6 +42,13 @@ attributes of the wrinkle file of the state, with NaN where there is no number; 
 not converge these are the numbers of the last iterate. Columns marked *json* are what
 `wrinklestudy solve --json` and `State.as_dict()` give, together with `seconds`, the wall time of
 the solve.
+"""
+
+_WHOLE = """
+## Sheets without mirrors
+
+What `wrinklestudy solve --json` prints of a sheet with imperfections or with another `--symmetry`
+than a quarter, for each strain.
 """
 
 _STABILITY = """
@@ -106,6 +114,8 @@ def page() -> str:
         *_table(COMPRESSION_COLUMNS),
         _IMPERFECTION,
         *_table(IMPERFECTION_COLUMNS),
+        _WHOLE,
+        *_table(columns(WholeRow)),
     ]
     return "".join(blocks)
 

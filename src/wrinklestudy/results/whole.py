@@ -17,7 +17,7 @@ from wrinklestudy.metrics.phase_band import PhaseBand, phase_band
 from wrinklestudy.results.rows import Row, described
 from wrinklestudy.results.solved import State
 from wrinklestudy.typing import Array
-from wrinklestudy.vocabulary import Parity, Part
+from wrinklestudy.vocabulary import FEWEST_CELLS, Parity, Part
 
 WHOLE_STATUSES = ("wrinkled", "unwrinkled", "flat", "not-converged")
 
@@ -56,6 +56,11 @@ class WholeRow(Row):
     )
     wavelength_over_width: float | None = described(
         "lambda/W, distance of the two central peaks of the same sign", measured=True, shown=True
+    )
+    cells_per_wavelength: float | None = described(
+        f"cells of the mesh in one wavelength across; below {FEWEST_CELLS:g} it is too coarse",
+        measured=True,
+        shown=True,
     )
     arc_width_over_width: float | None = described(
         "W_act/W, arc length of x = 0", measured=True, shown=True
@@ -185,10 +190,14 @@ class WholeState(State):
             row,
             amplitude_over_thickness=measures.amplitude / t,
             wavelength_over_width=_or_none(measures.wavelength),
+            # the cells across are equal, and so is the contraction across
+            cells_per_wavelength=_or_none(
+                _cells_across(solved) * measures.wavelength / measures.projected_width
+            ),
             arc_width_over_width=measures.arc_width,
             projected_width_over_width=measures.projected_width,
             phi_squared=measures.phi_squared,
-            tilt=_tilt(self.shape, self.parity) if solved.status == "wrinkled" else None,
+            tilt=_tilt(solved, self.parity) if solved.status == "wrinkled" else None,
         )
         if band is None:
             return row
@@ -238,6 +247,7 @@ def _unknown(state: WholeState) -> WholeRow:
         amplitude_high=None,
         envelope_amplitude=None,
         wavelength_over_width=None,
+        cells_per_wavelength=None,
         arc_width_over_width=None,
         projected_width_over_width=None,
         phi_squared=None,
@@ -266,17 +276,24 @@ def whole_wrinkles(solved: WholeEquilibrium) -> DeformedSheet:
     return _shape(solved, position).unfolded()
 
 
-def _tilt(sheet: DeformedSheet, parity: str) -> float:
+def _tilt(solved: WholeEquilibrium, parity: str) -> float:
     """Return the angle of the crest, or of the line of zeros, through the centre with the pull.
 
-    On a line z = const. dy/dx = -z,x/z,y, and on a crest z,y = 0 it is -z,xy/z,yy.
+    On a line z = const. dy/dx = -z,x/z,y, and on a crest z,y = 0 it is -z,xy/z,yy, with the
+    deflection z beyond that of the sheet without wrinkles: a lifted clamp tilts no crest.
     """
-    whole, centre = sheet.unfolded(), np.array([0.0])
+    whole, centre = whole_wrinkles(solved), np.array([0.0])
     orders = ((1, 0), (0, 1)) if parity == "antisymmetric" else ((1, 1), (0, 2))
     along, across = (float(whole.evaluate(centre, centre, *o)[2, 0, 0]) for o in orders)
     place = [whole.evaluate(centre, centre, *order)[:2, 0, 0] for order in ((1, 0), (0, 1))]
     direction = place[0] - along / across * place[1] if across else place[0]
     return float(np.arctan2(direction[1], direction[0]))
+
+
+def _cells_across(solved: WholeEquilibrium) -> int:
+    """Return the number of cells from edge to edge."""
+    grid = solved.flat.space.grid
+    return grid.cells[1] * (2 if grid.y[0] == 0.0 else 1)
 
 
 def _or_none(value: float) -> float | None:

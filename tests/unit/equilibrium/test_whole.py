@@ -43,6 +43,12 @@ def test_a_shift_of_the_clamps_tilts_the_wrinkles_its_way():
     assert other["amplitude_low"] == pytest.approx(one["amplitude_low"], rel=1e-6)
 
 
+def test_a_clamp_that_is_lifted_tilts_no_crest():
+    """The sheet itself slopes by 0.05 along the pull; a turn by pi about y keeps crests straight."""
+    state = solved(symmetry="whole", clamps=Clamps(lift=0.1))
+    assert state["tilt"] == pytest.approx(0.0, abs=1e-6)
+
+
 def test_too_thick_a_sheet_is_unwrinkled_where_twist_keeps_it_from_being_flat():
     sheet = Sheet(2.0, 5e-3, LATEX, mesh=COARSE, symmetry="whole", clamps=Clamps(twist=0.1))
     state = sheet.solve(0.12)
