@@ -97,7 +97,12 @@ def of_imperfect_sheet(
         if coarse is not None:
             guide = LiftedCurve(coarse, material.law, flat, None, report, *lift)
         curve = LiftedCurve(space, material.law, flat, guide, report, *lift)
-    return find(curve, thickness, guide=guide, origin=settings.symmetry.clamps.perfect)
+    return find(
+        curve,
+        thickness,
+        guide=guide,
+        origin=settings.symmetry.clamps.perfect and settings.weight == 0.0,
+    )
 
 
 def find(
@@ -144,7 +149,7 @@ def _find_guided(
 ) -> Stability:
     """Return birth, decay and maximum of a curve from its guide, corrected where they lie."""
     for _ in range(_MAX_PASSES):
-        limits = search(scaled, thickness, scaled.known(), survey, 1.0, origin)
+        limits = search(scaled, thickness, scaled.known(), survey, 1.0, origin and not scaled.late)
         wanted = _wanted(limits, scaled)
         if not wanted:
             break
