@@ -172,17 +172,22 @@ def _stability(found: Mapping[str, Any], size: GivenSize) -> str:
     if size.width_mm is not None:
         thickest = f"{cell(peak * size.width_mm)} mm ({thickest})"
     limit = f"thinner than {thickest}, at strain {where:.4g}"
-    if found["birth_strain"] is None:
+    if not found["ranges"]:
         none = "No sheet of this length and material wrinkles" if not peak > 0.0 else ""
         return f"{none or 'The sheet never wrinkles'} up to {examined}" + (
             "." if none else f": only sheets {limit}, do."
         )
-    birth = f"The sheet wrinkles from {_event(found['birth_strain'], size)}"
-    if found["decay_strain"] is None:
-        end = f" on, and still does at {examined}."
-    else:
-        end = f" to {_event(found['decay_strain'], size)}, and is flat again beyond."
-    return f"{birth}{end} Sheets up to {thickest} thick wrinkle, at strain {where:.4g}."
+    least = found["critical_thickness"][0][0]
+    ranges = []
+    for birth, decay in found["ranges"]:
+        start = _event(birth, size) + (", the least that was examined," if birth <= least else "")
+        ranges.append(f"from {start} {'on' if decay is None else f'to {_event(decay, size)}'}")
+    last = found["ranges"][-1][1]
+    end = f"still does at {examined}" if last is None else "is flat again beyond"
+    return (
+        f"The sheet wrinkles {' and '.join(ranges)}, and {end}. "
+        f"Sheets up to {thickest} thick wrinkle, at strain {where:.4g}."
+    )
 
 
 def _event(strain: float, size: GivenSize) -> str:

@@ -113,18 +113,27 @@ def _survey(
     strains: Sequence[float],
     until: float | None = None,
 ) -> str:
-    """Put values at strains into a table, until one is below a thickness; return what failed."""
+    """Put values at strains into a table, until one is below a thickness; return what failed.
+
+    Strains below the first value are passed over: a heavy sheet that is hardly stretched sags.
+    """
+    first: ArithmeticError | None = None
     for strain in strains:
         if strain in table:
             continue
         try:
             table[strain] = curve(strain)
         except ArithmeticError as error:
-            if max(table, default=0.0) == 0.0:
-                raise
-            return _edge(curve, table, strain, str(error))
-        if until is not None and table[strain] <= until:
-            break
+            if max(table, default=0.0) > 0.0:
+                return _edge(curve, table, strain, str(error))
+            first = first or error
+        else:
+            if until is not None and table[strain] <= until:
+                break
+    if first is not None:
+        table.pop(0.0, None)  # nothing is known of what lies between
+        if not table:
+            raise first
     return ""
 
 

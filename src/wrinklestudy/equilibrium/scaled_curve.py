@@ -32,8 +32,10 @@ class ScaledCurve:
         Strain from which on one of them cannot be computed.
     broken : bool
         Whether it is the curve that cannot, so that its values below must be checked.
+    late : bool
+        Whether the guide cannot be computed at strains below its first value.
     reason : str
-        Why not; one line.
+        Why not at the end; one line.
     """
 
     curve: Callable[[float], float]
@@ -42,6 +44,7 @@ class ScaledCurve:
     rough: dict[float, float] = field(default_factory=dict, init=False)
     end: float = field(default=math.inf, init=False)
     broken: bool = field(default=False, init=False)
+    late: bool = field(default=False, init=False)
     reason: str = field(default="", init=False)
 
     def __call__(self, strain: float) -> float:
@@ -58,7 +61,10 @@ class ScaledCurve:
             try:
                 self.rough[strain] = self.guide(strain)
             except ArithmeticError as error:
-                self.end, self.reason = strain, str(error)
+                if self.rough and strain > min(self.rough):
+                    self.end, self.reason = strain, str(error)
+                else:
+                    self.late = True
                 raise
         return self.rough[strain] * self.ratio(strain)
 

@@ -149,7 +149,7 @@ def _find_guided(
 ) -> Stability:
     """Return birth, decay and maximum of a curve from its guide, corrected where they lie."""
     for _ in range(_MAX_PASSES):
-        limits = search(scaled, thickness, scaled.known(), survey, 1.0, origin)
+        limits = search(scaled, thickness, scaled.known(), survey, 1.0, origin and not scaled.late)
         wanted = _wanted(limits, scaled)
         if not wanted:
             break

@@ -6,6 +6,7 @@ import pytest
 from wrinklestudy import Clamps, MeshSettings, Sheet, ThicknessField, mooney_rivlin
 from wrinklestudy.equilibrium.imperfections import Imperfections, bifurcation
 from wrinklestudy.equilibrium.ranges import search
+from wrinklestudy.equilibrium.stability import find
 
 LATEX = mooney_rivlin(c10=6.21e4, c01=1.58e5)
 COARSE = MeshSettings(8, 18)
@@ -112,3 +113,27 @@ def test_windows_are_found_by_scanning_from_the_least_strain():
 def test_a_sheet_refuses_mirrors_that_it_does_not_have(options, message):
     with pytest.raises(ValueError, match=message):
         Sheet(2.0, 1e-3, LATEX, **options)
+
+
+def test_strains_at_which_a_heavy_sheet_sags_are_passed_over():
+    """The curve begins where it can be computed, and its decay is found all the same."""
+
+    def curve(strain):
+        if strain < 0.02:
+            raise ArithmeticError("sags")
+        return 2e-3 - 4e-3 * strain
+
+    survey = (0.001, 0.01, 0.03, 0.1, 0.2, 0.4, 0.6)
+    for guide in (None, curve):
+        found = find(curve, 1e-3, survey=survey, guide=guide)
+        assert found.birth_strain is None
+        assert found.ranges[0][0] == 0.03
+        assert found.decay_strain == pytest.approx(0.25, abs=1e-5)
+
+
+def test_a_curve_that_can_be_computed_nowhere_says_why():
+    def curve(strain):
+        raise ArithmeticError(f"sags at {strain:g}")
+
+    with pytest.raises(ArithmeticError, match=r"sags at 0\.001"):
+        find(curve, 1e-3)
