@@ -10,10 +10,13 @@ Part = Literal["quarter", "half", "half-width", "whole"]
 Status = Literal["wrinkled", "flat", "not-converged"]
 # Of a flat state, whether small wrinkles grow on sheets that are thin enough.
 MapStatus = Literal["unstable", "stable", "not-converged"]
+# Of a sheet without mirrors: unwrinkled is not flat, but too thick to wrinkle.
+WholeStatus = Literal["wrinkled", "unwrinkled", "flat", "not-converged"]
 
 PARITIES: tuple[Parity, ...] = get_args(Parity)
 PARTS: tuple[Part, ...] = get_args(Part)
 STATUSES: tuple[Status, ...] = get_args(Status)
+WHOLE_STATUSES: tuple[WholeStatus, ...] = get_args(WholeStatus)
 MAP_STATUSES: tuple[MapStatus, ...] = get_args(MapStatus)
 
 
@@ -73,6 +76,17 @@ FEWEST_CELLS = 6.0
 # Beside a clamp, in units of W: at the corner of clamp and free edge a thin sheet has a flap, which
 # stands higher than its wrinkles and is none.
 FLAP = 0.1
+STANDARD_GRAVITY = 9.80665  # m/s^2
+# What of a sheet may be off, in the words of the command line and of the config.
+SIZED_IMPERFECTIONS = {
+    "shear": "shift of one clamp against the other across the pull, over W",
+    "rotate": "turn of the right clamp in the plane about its own centre, in rad",
+    "twist": "turn of one clamp against the other about the pull, in rad, half on each",
+    "pitch": "slope of the right clamp: its turn about its own line, in rad",
+    "lift": "shift of one clamp against the other out of the plane, over W",
+    "thickness_along": "difference of the thickness from end to end, over its mean",
+    "thickness_across": "difference of the thickness from edge to edge, over its mean",
+}
 # How far clamps and thickness of a whole sheet may be off: beyond that they are no imperfections.
 SHIFT = Limits(-0.5, 0.5, unit="in units of W")
 ANGLE = Limits(-0.5, 0.5, unit="in radians")

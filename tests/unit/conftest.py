@@ -37,6 +37,7 @@ class MadeUp:
     birth: float | None = BIRTH
     decay: float | None = DECAY
     holes: tuple[float, ...] = (HOLE,)
+    cells_per_wavelength: float = 9.0
 
     def amplitude(self, strain):
         """A/t where the sheet is wrinkled."""
@@ -64,6 +65,7 @@ class MadeUp:
             values = {"amplitude_over_thickness": amplitude, "wavelength_over_width": wavelength}
             values |= {"phi_squared": phi_squared, "phi_squared_central": 4.0 * phi_squared}
             values |= {"arc_width_over_width": width}
+            values |= {"cells_per_wavelength": self.cells_per_wavelength}
         return state_row(strain, status, **self.identity, **values)
 
     def write(self, folder, strains=STRAINS):

@@ -216,11 +216,12 @@ if RUNS or (workflow.is_main_process and not holding.is_held(PATHS.results)):
     for unsound in UNSOUND if RUNS else ():
         Path(unsound.file).unlink()
         Path(unsound.record).unlink(missing_ok=True)
+UNUSABLE = {unsound.file for unsound in UNSOUND}
 
 
 def is_there(file):
     """Whether a file is there and may be used."""
-    return Path(file).exists() and file not in {unsound.file for unsound in UNSOUND}
+    return Path(file).exists() and file not in UNUSABLE
 
 
 def origin_of(file):
@@ -284,4 +285,4 @@ def all_targets(_wildcards):
         lost = [file for file in (*on_the_way, *wanted) if not is_there(file)]
         if lost:
             return lost
-    return [*wanted, gate, *{unsound.file for unsound in UNSOUND}.intersection(on_the_way)]
+    return [*wanted, gate, *UNUSABLE.intersection(on_the_way)]

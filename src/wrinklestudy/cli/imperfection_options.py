@@ -5,19 +5,11 @@ from dataclasses import fields
 from typing import TYPE_CHECKING, Any
 
 from wrinklestudy.cli.numbers import number
-from wrinklestudy.vocabulary import DENSITY, GRAVITY, PARTS
+from wrinklestudy.vocabulary import DENSITY, GRAVITY, PARTS, SIZED_IMPERFECTIONS, STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from wrinklestudy.fem.thickness import Ripple, ThicknessTable
     from wrinklestudy.mechanics.laws import Material
-
-_CLAMPS = {
-    "shear": "shift of one clamp against the other across the pull, over W",
-    "rotate": "turn of the right clamp in the plane about its own centre, in rad",
-    "twist": "turn of one clamp against the other about the pull, in rad, half on each",
-    "pitch": "slope of the right clamp: its turn about its own line, in rad",
-    "lift": "shift of one clamp against the other out of the plane, over W",
-}
 
 
 def add_imperfections(parser: argparse.ArgumentParser) -> None:
@@ -32,20 +24,8 @@ def add_imperfections(parser: argparse.ArgumentParser) -> None:
         default=PARTS[0],
         help="part that is solved: with mirrors at x = 0 and y = 0, at x = 0, at y = 0, with none",
     )
-    for name, meaning in _CLAMPS.items():
-        add(f"--{name}", type=number, default=0.0, help=meaning)
-    add(
-        "--thickness-along",
-        type=number,
-        default=0.0,
-        help="difference of the thickness from end to end, over its mean",
-    )
-    add(
-        "--thickness-across",
-        type=number,
-        default=0.0,
-        help="difference of the thickness from edge to edge, over its mean",
-    )
+    for name, meaning in SIZED_IMPERFECTIONS.items():
+        add(f"--{name.replace('_', '-')}", type=number, default=0.0, help=meaning)
     add(
         "--thickness-ripple",
         type=_ripple,
@@ -60,7 +40,7 @@ def add_imperfections(parser: argparse.ArgumentParser) -> None:
         help="measured thickness: columns x, y (from the centre, over W) and thickness",
     )
     add("--density", type=number, help="kg/m^3: the sheet is level and bears its own weight")
-    add("--gravity", type=number, default=9.80665, help="m/s^2")
+    add("--gravity", type=number, default=STANDARD_GRAVITY, help="m/s^2")
 
 
 def _ripple(text: str) -> "Ripple":

@@ -8,8 +8,6 @@ from wrinklestudy.fem.clamps import Clamps
 from wrinklestudy.fem.thickness import UNIFORM, ThicknessField
 from wrinklestudy.vocabulary import WEIGHT, Parity, Part
 
-STANDARD_GRAVITY = 9.80665  # m/s^2
-
 
 @dataclass(frozen=True)
 class Imperfections:

@@ -123,7 +123,8 @@ class Slide(NamedTuple):
         What the pin carries, as a part of the largest contribution of the elements around it: the
         residual of the unknown that is held over its diagonal of the tangent, in units of t.
     softest : float
-        Smallest mu of K v = mu t^3 B v without the pin, with the tangent K and the bending matrix B
+        NaN if the direction is not known to the digits that it needs, otherwise the smallest mu of
+        K v = mu t^3 B v without the pin, with the tangent K and the bending matrix B
         of the flat state: the stiffness against sliding over that against bending.
     direction : (n,) array
         How the sheet slides: the deflection is a pattern a quarter of a wave further.
@@ -157,27 +158,35 @@ def slide(pinned: Pinned, unknowns: Array, bent: sparse.csr_array, solver: Solve
     column = multiply(here.tangent, unit)
     stiffness = float(column[pin])
     column[pin] = 0.0
-    direction = unit - _solve(pinned.held(here.tangent, 1.0), column, solver)
+    moved, exact = _solve(pinned.held(here.tangent, 1.0), column, solver)
+    direction = unit - moved
     work = float(direction @ multiply(here.tangent, direction))
     bending = direction[-bent.shape[0] :]
-    softest = work / float(bending @ multiply(bent, bending))
+    softest = work / float(bending @ multiply(bent, bending)) if exact else float("nan")
     thickness = pinned.problem.thickness
     return Slide(float(here.residual[pin]) / (stiffness * thickness), softest, direction)
 
 
-def _solve(upper: sparse.csr_array, rhs: Array, solver: Solver) -> Array:
-    """Solve K x = b by conjugate gradients, with a factorisation of a matrix that is close to K."""
+def _solve(upper: sparse.csr_array, rhs: Array, solver: Solver) -> tuple[Array, bool]:
+    """Solve K x = b by conjugate gradients, with a factorisation of a matrix that is close to K.
+
+    Returns
+    -------
+    x : (n,) array
+    exact : bool
+        Whether the residual is as small as it should be.
+    """
     from scipy.sparse.linalg import LinearOperator, cg
 
     def operator(action: Callable[[Array], Array]) -> LinearOperator:
         return LinearOperator(upper.shape, matvec=action, dtype=np.float64)
 
-    solution: Array = cg(
+    solution, failed = cg(
         operator(partial(multiply, upper)),
         rhs,
         x0=solver.solve(rhs),
         rtol=_RESIDUAL,
         maxiter=_MAX_STEPS,
         M=operator(solver.solve),
-    )[0]
-    return solution
+    )
+    return solution, failed == 0

@@ -7,7 +7,7 @@ pattern can slide, and what an experiment sees lies between them.
 
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from scipy import sparse
@@ -26,14 +26,13 @@ from wrinklestudy.fem.boundary import Symmetry
 from wrinklestudy.fem.space import Space
 from wrinklestudy.mechanics.laws import Law
 from wrinklestudy.typing import Array
-from wrinklestudy.vocabulary import Parity
+from wrinklestudy.vocabulary import Parity, WholeStatus
 
 # Steps with a predicted tangent lead along narrow valleys of the energy, a little up their walls.
 _RISE = 10.0
 _PARTNER_TOLERANCE = 1.0e-12
 _CLOSE, _ROUGH = 1.0e-8, 1.0e-6  # where few digits are wanted old tangents give them sooner
 _ABOVE = 1.2  # thickness, over tau_1, at which an unwrinkled state is lifted
-WholeStatus = Literal["wrinkled", "unwrinkled", "flat", "not-converged"]
 
 
 @dataclass(frozen=True)

@@ -61,6 +61,13 @@ class Measures:
     shape_constant_central: float
     extrema: Array = field(repr=False, compare=False)
 
+    def cells_per_wavelength(self, cells_across: int) -> float:
+        """Return how many of the cells from edge to edge lie in a wavelength, NaN without one.
+
+        The cells are equal, and the sheet contracts across by about the same factor everywhere.
+        """
+        return cells_across * self.wavelength / self.projected_width
+
 
 def measure(profile: Profile) -> Measures:
     """Measure a profile on the cubic spline z(y) through its points.

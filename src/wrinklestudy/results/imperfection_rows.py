@@ -3,8 +3,7 @@
 from dataclasses import dataclass
 
 from wrinklestudy.results.rows import Row, described
-
-_STATUSES = ("wrinkled", "unwrinkled", "flat", "not-converged")
+from wrinklestudy.vocabulary import WHOLE_STATUSES
 
 
 @dataclass(frozen=True)
@@ -25,7 +24,7 @@ class ImperfectionRow(Row):
     parity: str = described("of the pattern at the centre: antisymmetric or symmetric")
     status: str = described(
         "wrinkled, unwrinkled (not flat, but too thick to wrinkle), flat or not-converged",
-        allowed=_STATUSES,
+        allowed=WHOLE_STATUSES,
     )
     amplitude_low: float | None = described("least A/t over the phase of the pattern")
     amplitude_high: float | None = described("largest A/t over the phase of the pattern")

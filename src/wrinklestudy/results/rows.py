@@ -64,6 +64,11 @@ def described(description: str, unit: str = "", **flags: bool | tuple[str, ...])
     return field(metadata={"description": description, "unit": unit, **flags})
 
 
+def like(kind: type[Any], name: str) -> Any:
+    """Return a dataclass field that is described as one of another row."""
+    return field(metadata=kind.__dataclass_fields__[name].metadata)
+
+
 class Row:
     """A row of a table: a dataclass whose fields are described by `Column`."""
 
@@ -86,10 +91,7 @@ class SheetIdentity(Row):
     material: str = described("name of the material, or of a variant of one", identifies=True)
     law: str = described("law of the strain energy", identifies=True)
     bending: str = described("bending law", identifies=True)
-    parity: str = described(
-        "of z across the width: antisymmetric or symmetric",
-        identifies=True,
-    )
+    parity: str = described("of z across the width: antisymmetric or symmetric", identifies=True)
     aspect: float = described("L/W", identifies=True)
     thickness: float = described("t/W", identifies=True)
 

@@ -50,10 +50,7 @@ def with_measures(row: StateRow, measures: Measures) -> StateRow:
         amplitude_over_thickness=measures.amplitude / row.thickness,
         wavelength_over_width=_or_none(measures.wavelength),
         wavelength_zero_over_width=_or_none(measures.wavelength_zero),
-        # the cells across are equal, and the sheet contracts across by the same factor everywhere
-        cells_per_wavelength=_or_none(
-            2.0 * row.cells_across * measures.wavelength / measures.projected_width
-        ),
+        cells_per_wavelength=_or_none(measures.cells_per_wavelength(2 * row.cells_across)),
         arc_width_over_width=measures.arc_width,
         projected_width_over_width=measures.projected_width,
         phi_squared=measures.phi_squared,

@@ -14,12 +14,10 @@ from wrinklestudy.mechanics.laws import Material
 from wrinklestudy.metrics.interpolant import DeformedSheet
 from wrinklestudy.metrics.measure import measure_sheet
 from wrinklestudy.metrics.phase_band import PhaseBand, phase_band
-from wrinklestudy.results.rows import Row, described
+from wrinklestudy.results.rows import Row, StateRow, described, like
 from wrinklestudy.results.solved import State
 from wrinklestudy.typing import Array
-from wrinklestudy.vocabulary import FEWEST_CELLS, Parity, Part
-
-WHOLE_STATUSES = ("wrinkled", "unwrinkled", "flat", "not-converged")
+from wrinklestudy.vocabulary import WHOLE_STATUSES, Parity, Part
 
 
 @dataclass(frozen=True)
@@ -36,9 +34,7 @@ class WholeRow(Row):
     parity: str = described(
         "of the pattern at the centre: antisymmetric (z = 0) or symmetric (a crest)", shown=True
     )
-    amplitude_over_thickness: float | None = described(
-        "A/t, largest |z| on x = 0; 0 if flat", measured=True, shown=True
-    )
+    amplitude_over_thickness: float | None = like(StateRow, "amplitude_over_thickness")
     amplitude_low: float | None = described(
         "least A/t over the phase of the pattern, beyond the unwrinkled sheet",
         measured=True,
@@ -54,29 +50,15 @@ class WholeRow(Row):
         measured=True,
         shown=True,
     )
-    wavelength_over_width: float | None = described(
-        "lambda/W, distance of the two central peaks of the same sign", measured=True, shown=True
-    )
-    cells_per_wavelength: float | None = described(
-        f"cells of the mesh in one wavelength across; below {FEWEST_CELLS:g} it is too coarse",
-        measured=True,
-        shown=True,
-    )
-    arc_width_over_width: float | None = described(
-        "W_act/W, arc length of x = 0", measured=True, shown=True
-    )
-    projected_width_over_width: float | None = described(
-        "W_proj/W, distance of the free edges on x = 0", measured=True, shown=True
-    )
-    phi_squared: float | None = described(
-        "Phi^2 = (W_act - W_proj)/W_proj over the full width", measured=True, shown=True
-    )
+    wavelength_over_width: float | None = like(StateRow, "wavelength_over_width")
+    cells_per_wavelength: float | None = like(StateRow, "cells_per_wavelength")
+    arc_width_over_width: float | None = like(StateRow, "arc_width_over_width")
+    projected_width_over_width: float | None = like(StateRow, "projected_width_over_width")
+    phi_squared: float | None = like(StateRow, "phi_squared")
     tilt: float | None = described(
         "angle of the crests with the pull at the centre, in radians", measured=True, shown=True
     )
-    nominal_stress_pa: float | None = described(
-        "clamp force over undeformed cross-section", "Pa", of_equilibrium=True, shown=True
-    )
+    nominal_stress_pa: float | None = like(StateRow, "nominal_stress_pa")
     critical_thickness: float | None = described(
         "tau_1/W: the flat sheet is unstable if t is less", shown=True
     )
@@ -96,11 +78,9 @@ class WholeRow(Row):
         of_equilibrium=True,
         shown=True,
     )
-    newton_iterations: int = described("Newton iterations of the solve", shown=True)
-    residual: float | None = described(
-        "last Newton decrement of the solve, as a fraction of the energy", shown=True
-    )
-    reason: str = described("why it did not converge; empty if it did", shown=True)
+    newton_iterations: int = like(StateRow, "newton_iterations")
+    residual: float | None = like(StateRow, "residual")
+    reason: str = like(StateRow, "reason")
 
 
 @dataclass(frozen=True)
@@ -116,6 +96,8 @@ class WholeState(State):
     part : {'quarter', 'half', 'half-width', 'whole'}
     parity : {'antisymmetric', 'symmetric'}
         Of the pattern at the centre.
+    aspect : float
+        L/W.
     material : Material
     imperfections : Imperfections
     reason : str
@@ -126,6 +108,7 @@ class WholeState(State):
     equilibrium: WholeEquilibrium | None  # type: ignore[assignment]
     part: Part
     parity: Parity
+    aspect: float
     material: Material
     imperfections: Imperfections
     reason: str
@@ -165,18 +148,14 @@ class WholeState(State):
 
     def row(self) -> WholeRow:  # type: ignore[override]
         """Return the state as a row of numbers."""
-        solved, aspect = self.equilibrium, 0.0
+        solved = self.equilibrium
         if solved is None:
             return _unknown(self)
-        aspect = solved.flat.space.grid.aspect
-        how = bifurcation(self.imperfections, aspect, self.parity)
         row = replace(
             _unknown(self),
             status=solved.status,
             nominal_stress_pa=solved.nominal_stress * self.material.shear_modulus,
             critical_thickness=solved.critical_thickness,
-            bifurcation=how.kind,
-            bifurcation_reason=how.reason,
             pin_reaction=_or_none(solved.pin_reaction),
             softest_eigenvalue=_or_none(solved.softest),
             newton_iterations=newton.count(solved.history),
@@ -190,10 +169,7 @@ class WholeState(State):
             row,
             amplitude_over_thickness=measures.amplitude / t,
             wavelength_over_width=_or_none(measures.wavelength),
-            # the cells across are equal, and so is the contraction across
-            cells_per_wavelength=_or_none(
-                _cells_across(solved) * measures.wavelength / measures.projected_width
-            ),
+            cells_per_wavelength=_or_none(measures.cells_per_wavelength(_cells_across(solved))),
             arc_width_over_width=measures.arc_width,
             projected_width_over_width=measures.projected_width,
             phi_squared=measures.phi_squared,
@@ -229,14 +205,22 @@ def solve_whole(
     measures = None
     if solved is not None and solved.status != "not-converged":
         measures = measure_sheet(_shape(solved, solved.position))
-    parity = settings.parity
     return WholeState(
-        strain, solved, measures, seconds, part, parity, material, imperfections, reason
+        strain,
+        solved,
+        measures,
+        seconds,
+        part,
+        settings.parity,
+        space.grid.aspect,
+        material,
+        imperfections,
+        reason,
     )
 
 
 def _unknown(state: WholeState) -> WholeRow:
-    how = bifurcation(state.imperfections, 1.0, state.parity)
+    how = bifurcation(state.imperfections, state.aspect, state.parity)
     return WholeRow(
         strain=state.strain,
         status="not-converged",

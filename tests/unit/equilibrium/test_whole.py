@@ -4,9 +4,11 @@ import numpy as np
 import pytest
 
 from wrinklestudy import Clamps, MeshSettings, Sheet, ThicknessField, mooney_rivlin
+from wrinklestudy.equilibrium import pin
 from wrinklestudy.equilibrium.imperfections import Imperfections, bifurcation
 from wrinklestudy.equilibrium.ranges import search
 from wrinklestudy.equilibrium.stability import find
+from wrinklestudy.results import whole
 
 LATEX = mooney_rivlin(c10=6.21e4, c01=1.58e5)
 COARSE = MeshSettings(8, 18)
@@ -137,3 +139,26 @@ def test_a_curve_that_can_be_computed_nowhere_says_why():
 
     with pytest.raises(ArithmeticError, match=r"sags at 0\.001"):
         find(curve, 1e-3)
+
+
+def test_a_slide_that_is_not_solved_to_its_digits_has_no_eigenvalue(monkeypatch):
+    """One step of conjugate gradients to no residual at all is not enough."""
+    monkeypatch.setattr(pin, "_RESIDUAL", 0.0)
+    monkeypatch.setattr(pin, "_MAX_STEPS", 1)
+    state = solved(symmetry="whole")
+    assert state["softest_eigenvalue"] is None
+    assert state["status"] == "wrinkled"
+    assert abs(state["pin_reaction"]) < 1e-9
+
+
+def test_a_state_without_an_equilibrium_is_still_told_how_its_wrinkles_appear(monkeypatch):
+    def fails(*_arguments):
+        raise ArithmeticError("no flat state")
+
+    monkeypatch.setattr(whole, "solve", fails)
+    sheet = Sheet(2.0, 1e-3, LATEX, mesh=COARSE, symmetry="whole", weight=5e-3)
+    state = sheet.solve(0.12)
+    assert state.aspect == pytest.approx(2.0)
+    row = state.row()
+    assert (row.status, row.reason) == ("not-converged", "no flat state")
+    assert (row.bifurcation, row.bifurcation_reason) == sheet.bifurcation

@@ -11,12 +11,14 @@ from wrinklestudy.studies.panaitescu2019.figures import (
     fig05_amplitude,
     fig05_wavelength,
     fig06_aspect,
+    fig06_labelled,
     fig06_thickness,
     fig07_collapse,
     fig07_slaving,
     fig07_width,
 )
 from wrinklestudy.study.figures import style
+from wrinklestudy.study.figures.against_strain import COARSE
 from wrinklestudy.study.figures.inputs import Inputs
 from wrinklestudy.study.figures.series import labels as series_labels
 from wrinklestudy.study.figures.series import note
@@ -202,3 +204,22 @@ def test_a_missing_stability_file_leaves_the_ends_open(made_up, tmp_path):
     (one,) = Inputs((table,)).series
     assert np.isnan([one.birth, one.decay]).all()
     assert len(one.curve("amplitude_over_thickness")[0]) == len(one.states)
+
+
+@pytest.mark.parametrize(
+    "figure",
+    [
+        fig05_amplitude,
+        fig05_wavelength,
+        fig06_aspect,
+        fig06_labelled,
+        fig07_collapse,
+        fig07_slaving,
+    ],
+)
+def test_states_on_too_coarse_a_mesh_are_crossed_through(made_up, inputs_with, figure):
+    """Where the mesh is fine enough nothing is crossed."""
+    for cells, marked in ((5.9, True), (6.1, False)):
+        drawn = figure.draw(inputs_with(made_up(cells_per_wavelength=cells, holes=())))
+        crosses = [line for axes in drawn.axes for line in lines(axes, COARSE)]
+        assert bool(crosses) == marked

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator
 from itertools import product
-from typing import Annotated
+from typing import Annotated, Any
 
 from pydantic import Field
 
@@ -17,16 +17,14 @@ from wrinklestudy.vocabulary import (
     GRAVITY,
     PARTS,
     SHIFT,
+    SIZED_IMPERFECTIONS,
+    STANDARD_GRAVITY,
     UNEVENNESS,
     WAVELENGTH,
     Limits,
     Part,
 )
 
-_SIZED = (
-    *("shear", "rotate", "twist", "pitch", "lift"),
-    *("thickness_along", "thickness_across"),
-)
 Shifts = Filled[Annotated[float, within(SHIFT), Number]]
 Angles = Filled[Annotated[float, within(ANGLE), Number]]
 Parts = Filled[Annotated[float, within(UNEVENNESS), Number]]
@@ -46,33 +44,24 @@ class RippleBlock(Block):
     phase: _Free = Field(default=0.0, description="phase in rad; 0 has a crest at the centre")
 
 
+def _sized(key: str) -> Any:
+    """Return the field of a key that lists sizes; without it there is nothing off."""
+    return Field(default=None, description=SIZED_IMPERFECTIONS[key])
+
+
 class ImperfectBlock(SheetsBlock):
     """All combinations of the listed sheets, strains and sizes; without any, perfect sheets."""
 
     symmetry: Annotated[Part, OneOf(PARTS)] = Field(
         default="whole", description="part of the sheet that is solved"
     )
-    shear: Shifts | None = Field(
-        default=None, description="shift of one clamp against the other across the pull, over W"
-    )
-    rotate: Angles | None = Field(
-        default=None, description="turn of the right clamp in the plane about its centre, in rad"
-    )
-    twist: Angles | None = Field(
-        default=None, description="turn of one clamp against the other about the pull, in rad"
-    )
-    pitch: Angles | None = Field(
-        default=None, description="turn of the right clamp about its own line, in rad"
-    )
-    lift: Shifts | None = Field(
-        default=None, description="shift of one clamp against the other out of the plane, over W"
-    )
-    thickness_along: Parts | None = Field(
-        default=None, description="difference of the thickness from end to end, over its mean"
-    )
-    thickness_across: Parts | None = Field(
-        default=None, description="difference of the thickness from edge to edge, over its mean"
-    )
+    shear: Shifts | None = _sized("shear")
+    rotate: Angles | None = _sized("rotate")
+    twist: Angles | None = _sized("twist")
+    pitch: Angles | None = _sized("pitch")
+    lift: Shifts | None = _sized("lift")
+    thickness_along: Parts | None = _sized("thickness_along")
+    thickness_across: Parts | None = _sized("thickness_across")
     thickness_ripple: RippleBlock | None = Field(default=None, description="wave of the thickness")
     thickness_table: Place | None = Field(
         default=None, description="CSV file of measured thickness: x, y (over W) and thickness"
@@ -81,7 +70,7 @@ class ImperfectBlock(SheetsBlock):
         default=None, description="kg/m^3: the sheet is level and bears its own weight"
     )
     gravity: Annotated[float, within(GRAVITY), Number] = Field(
-        default=9.80665, description="m/s^2, with density"
+        default=STANDARD_GRAVITY, description="m/s^2, with density"
     )
     width_mm: (
         Annotated[float, within(Limits(0.0, 1e6, above_lowest=True, unit="mm")), Number] | None
@@ -98,7 +87,7 @@ class ImperfectBlock(SheetsBlock):
 
     def _options(self) -> Iterator[list[tuple[tuple[str, Amount], ...]]]:
         """Yield the alternatives of each key; those of a key belong together."""
-        for key in _SIZED:
+        for key in SIZED_IMPERFECTIONS:
             if (sizes := getattr(self, key)) is not None:
                 yield [((key, size),) for size in sizes]
         if (ripple := self.thickness_ripple) is not None:

@@ -8,7 +8,7 @@ from matplotlib.figure import FigureBase, SubFigure
 
 from wrinklestudy.results.sheets import SheetStates
 from wrinklestudy.study.figures import measured, style
-from wrinklestudy.study.figures.against_strain import BELOW, extremes, holes, legend, styled
+from wrinklestudy.study.figures.against_strain import BELOW, coarse, extremes, holes, legend, styled
 from wrinklestudy.study.figures.inputs import Inputs
 from wrinklestudy.study.figures.style import GREY, Look
 from wrinklestudy.study.measurements import Points, SheetSize
@@ -96,6 +96,7 @@ def _curve(axes: Axes, sheet: SheetStates, look: Look) -> None:
     wrinkled = sheet.of_status("wrinkled")
     strain, amplitude = sheet.column("strain")[wrinkled], sheet.column(_COLUMN)[wrinkled]
     axes.plot(strain, amplitude, look.marker, color=look.color, ms=2.4)
+    coarse(axes, sheet, sheet.column("strain"), sheet.column(_COLUMN))
     holes(axes, sheet, look.color)
 
 

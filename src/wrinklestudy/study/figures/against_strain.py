@@ -12,6 +12,7 @@ from wrinklestudy.study.figures import measured, style
 from wrinklestudy.study.figures.series import labels, note
 from wrinklestudy.study.figures.style import GREY, Look, looks
 from wrinklestudy.study.measurements import Points, SheetSize
+from wrinklestudy.typing import Array
 from wrinklestudy.vocabulary import FEWEST_CELLS
 
 # An axis begins this fraction of its highest value below zero, to leave room for marks of holes.
@@ -32,10 +33,7 @@ def styled(series: list[SheetStates]) -> list[tuple[SheetStates, Look]]:
 
 
 def points(axes: Axes, sheet: SheetStates, look: Look, column: str, factor: float = 1.0) -> None:
-    """Draw a column over strain: wrinkled states filled, flat ones open, holes on the axis.
-
-    States whose mesh is too coarse for their wrinkles are crossed through.
-    """
+    """Draw a column over strain: wrinkled states filled, flat ones open, holes on the axis."""
     strain, value = sheet.column("strain"), factor * sheet.column(column)
     wrinkled, flat = sheet.of_status("wrinkled"), sheet.of_status("flat")
     for which, face, label in ((wrinkled, look.color, look.label), (flat, "white", "flat")):
@@ -50,10 +48,16 @@ def points(axes: Axes, sheet: SheetStates, look: Look, column: str, factor: floa
                 mew=0.6,
                 label=label,
             )
-    few = wrinkled & (sheet.column("cells_per_wavelength") < FEWEST_CELLS) & np.isfinite(value)
-    if few.any():
-        axes.plot(strain[few], value[few], "+", color=GREY, ms=7.0, mew=0.6, label=COARSE)
+    coarse(axes, sheet, strain, value)
     holes(axes, sheet, look.color)
+
+
+def coarse(axes: Axes, sheet: SheetStates, x: Array, y: Array) -> None:
+    """Cross the points of those states through whose mesh is too coarse for their wrinkles."""
+    few = sheet.of_status("wrinkled") & (sheet.column("cells_per_wavelength") < FEWEST_CELLS)
+    few &= np.isfinite(x + y)
+    if few.any():
+        axes.plot(x[few], y[few], "+", color=GREY, ms=7.0, mew=0.6, label=COARSE)
 
 
 def holes(axes: Axes, sheet: SheetStates, color: str) -> None:

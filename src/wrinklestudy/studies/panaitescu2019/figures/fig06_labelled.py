@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from wrinklestudy.results.sheets import SheetStates
 from wrinklestudy.study.figures import style
-from wrinklestudy.study.figures.against_strain import BELOW, extremes, holes, styled
+from wrinklestudy.study.figures.against_strain import BELOW, coarse, extremes, holes, styled
 from wrinklestudy.study.figures.inputs import Inputs
 from wrinklestudy.study.figures.series import number
 from wrinklestudy.typing import Array
@@ -46,6 +46,7 @@ def _curves(
         wrinkled = sheet.of_status("wrinkled")
         points = sheet.column("strain")[wrinkled], sheet.column(_COLUMN)[wrinkled]
         axes.plot(*points, look.marker, color=look.color, ms=2.4)
+        coarse(axes, sheet, sheet.column("strain"), sheet.column(_COLUMN))
         holes(axes, sheet, look.color)
     highest = extremes(sheets, _COLUMN)[1] or 1.0
     axes.set_ylim(-BELOW * highest, 1.2 * highest)

@@ -8,7 +8,7 @@ from matplotlib.figure import FigureBase, SubFigure
 
 from wrinklestudy.studies.panaitescu2019.figures import slaving
 from wrinklestudy.study.figures import measured, style
-from wrinklestudy.study.figures.against_strain import legend, styled
+from wrinklestudy.study.figures.against_strain import coarse, legend, styled
 from wrinklestudy.study.figures.inputs import Inputs
 
 # Strain beyond which states are shown.
@@ -30,6 +30,7 @@ def draw(inputs: Inputs, on: SubFigure | None = None) -> FigureBase:
             if np.isfinite(slaved).any():
                 label = look.label if average == slaving.AVERAGES[0] else None
                 slaving.points(axes, slaved, amplitude, look, label)
+                coarse(axes, sheet, slaved, amplitude)
             farthest = float(np.nanmax([farthest, *slaved]))
             highest = float(np.nanmax([highest, *amplitude]))
     slaving.finish(axes, farthest, highest, holes)

@@ -5,7 +5,7 @@ from matplotlib.figure import FigureBase, SubFigure
 
 from wrinklestudy.studies.panaitescu2019.figures import slaving
 from wrinklestudy.study.figures import measured, style
-from wrinklestudy.study.figures.against_strain import legend, styled
+from wrinklestudy.study.figures.against_strain import coarse, legend, styled
 from wrinklestudy.study.figures.inputs import Inputs
 
 
@@ -19,6 +19,7 @@ def draw(inputs: Inputs, on: SubFigure | None = None) -> FigureBase:
             slaved, amplitude = slaving.trajectory(sheet, average)
             label = look.label if average == slaving.AVERAGES[0] else None
             slaving.points(axes, slaved, amplitude, look, label)
+            coarse(axes, sheet, slaved, amplitude)
             slaving.arrows(axes, slaved, amplitude, look.color)
             farthest = float(np.nanmax([farthest, *slaved]))
             highest = float(np.nanmax([highest, *amplitude]))
