@@ -10,8 +10,8 @@ from scipy.spatial.transform import Rotation
 from verification.tools.problem import VALUE, LoadedSheet, nodes
 from wrinklestudy.equilibrium.flat import MembraneProblem
 from wrinklestudy.equilibrium.problem import PlateProblem
-from wrinklestudy.fem.factorisation import multiply
 from wrinklestudy.fem.space import Space
+from wrinklestudy.fem.upper_triangle import multiply
 from wrinklestudy.mechanics import membrane, plate
 from wrinklestudy.mechanics.section import Section
 from wrinklestudy.typing import Array

@@ -8,9 +8,9 @@ from wrinklestudy.equilibrium.modes import critical_modes
 from wrinklestudy.equilibrium.planar import Planar, PlanarSettings
 from wrinklestudy.equilibrium.wrinkled import Equilibrium, solve
 from wrinklestudy.fem.boundary import Symmetry
-from wrinklestudy.fem.factorisation import multiply
 from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.space import Space
+from wrinklestudy.fem.upper_triangle import multiply
 from wrinklestudy.mechanics import plate
 from wrinklestudy.mechanics.laws import Material, mooney_rivlin, neo_hookean, saint_venant_kirchhoff
 from wrinklestudy.mechanics.section import Section

@@ -5,9 +5,9 @@ from scipy import optimize
 
 from verification.tools.problem import SLOPE_X, SLOPE_Y, VALUE, LoadedSheet, affine, nodes
 from verification.tools.stretching import exact
-from wrinklestudy.fem.factorisation import multiply
 from wrinklestudy.fem.grid import Grid
 from wrinklestudy.fem.space import Space
+from wrinklestudy.fem.upper_triangle import multiply
 from wrinklestudy.mechanics.laws import Law, MooneyRivlin, SaintVenantKirchhoff
 from wrinklestudy.mechanics.section import Section
 from wrinklestudy.typing import Array

@@ -16,9 +16,9 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy import sparse
-from scipy.sparse.linalg import splu
 
 from wrinklestudy.equilibrium.tension_field import TensionField
+from wrinklestudy.fem.factorisation import make_solver
 from wrinklestudy.fem.grid import Grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.fem.transfer import transferred
@@ -163,6 +163,7 @@ class _Densities:
             surplus = 0.5 * k**2 * a**2 - hidden
             return 0.5 * float(a @ (linear @ a) + self._stiffness @ surplus**2)
 
+        solver = make_solver()
         a = np.zeros(hidden.size)
         a[free] = start.ravel()[free]
         for _ in range(_MAX_ITERATIONS):
@@ -170,9 +171,10 @@ class _Densities:
             residual = linear @ a + self._stiffness * surplus * k**2 * a
             # without the part that is negative where too little is hidden: definite everywhere
             local = self._stiffness * (k**4 * a**2 + k**2 * np.maximum(surplus, 0.0))
-            tangent = sparse.csc_array((linear + sparse.diags_array(local))[free][:, free])
+            tangent = (linear + sparse.diags_array(local))[free][:, free]
+            solver.factorise(sparse.triu(tangent, format="csr"))
             step = np.zeros_like(a)
-            step[free] = -splu(tangent).solve(residual[free])
+            step[free] = -solver.solve(residual[free])
             decrement, now, length = -float(residual @ step), energy(a), 1.0
             for _ in range(_MAX_HALVINGS):
                 if energy(a + length * step) <= now - 1e-4 * length * decrement:

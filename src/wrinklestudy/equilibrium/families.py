@@ -17,7 +17,8 @@ from wrinklestudy.equilibrium.flat import Flat
 from wrinklestudy.equilibrium.modes import Modes, ModeSearch, Spectrum, spectrum
 from wrinklestudy.equilibrium.quartic import quartic_form
 from wrinklestudy.fem.boundary import Symmetry
-from wrinklestudy.fem.factorisation import count_negative_eigenvalues, symmetric
+from wrinklestudy.fem.factorisation import count_negative_eigenvalues
+from wrinklestudy.fem.upper_triangle import symmetric
 from wrinklestudy.typing import Array
 from wrinklestudy.vocabulary import PARITIES, Parity
 

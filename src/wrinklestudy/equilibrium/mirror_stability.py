@@ -14,7 +14,8 @@ from scipy import sparse
 from wrinklestudy.equilibrium.deflections import deflection_forms
 from wrinklestudy.equilibrium.wrinkled import Equilibrium
 from wrinklestudy.fem.assembly import Assembler
-from wrinklestudy.fem.factorisation import make_indefinite_solver, symmetric
+from wrinklestudy.fem.factorisation import make_indefinite_solver
+from wrinklestudy.fem.upper_triangle import symmetric
 from wrinklestudy.mechanics import plate
 from wrinklestudy.mechanics.section import Section
 from wrinklestudy.typing import Array

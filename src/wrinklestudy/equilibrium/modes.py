@@ -27,11 +27,8 @@ from wrinklestudy.equilibrium.deflections import (
 from wrinklestudy.equilibrium.flat import Flat
 from wrinklestudy.equilibrium.quartic import quartic_form
 from wrinklestudy.fem.boundary import QUARTER, Symmetry
-from wrinklestudy.fem.factorisation import (
-    NotPositiveDefiniteError,
-    count_negative_eigenvalues,
-    symmetric,
-)
+from wrinklestudy.fem.factorisation import NotPositiveDefiniteError, count_negative_eigenvalues
+from wrinklestudy.fem.upper_triangle import symmetric
 from wrinklestudy.typing import Array, Mask
 
 # Thinner than any sheet: modes of a smaller critical thickness count as always stable. Where no

@@ -14,7 +14,11 @@ from scipy import sparse
 
 from wrinklestudy.equilibrium.bfgs import Update, inverse_times
 from wrinklestudy.equilibrium.energy import EnergyExpansion, Problem
-from wrinklestudy.fem.factorisation import NotPositiveDefiniteError, Solver
+from wrinklestudy.fem.factorisation import (
+    InaccurateSolutionError,
+    NotPositiveDefiniteError,
+    Solver,
+)
 from wrinklestudy.typing import Array
 
 
@@ -248,12 +252,14 @@ def _step(
     for _ in range(_MAX_SHIFTS):
         try:
             solver.factorise(tangent if shift == 0.0 else _shifted(problem, tangent, shift))
+            direction = -solver.solve(residual)
+        except InaccurateSolutionError as error:
+            return str(error)
         except NotPositiveDefiniteError:
             if problem.shift() is None:
                 return failed
             shift = shifts.larger(shift)
             continue
-        direction = -solver.solve(residual)
         decrement = -float(residual @ direction)
         allowed = max(min(options.rise * decrement, options.ceiling - energy), 0.0)
         noise = max(1e-14 * abs(energy), options.noise)
@@ -298,22 +304,17 @@ def _finish(
 ) -> _Finish:
     """Take BFGS steps from the last tangent while they gain much; they join the history.
 
-    Parameters
-    ----------
-    problem : Problem
-    unknowns : (n,) array
-        After the last step of Newton's method.
-    residual, step : (n,) arrays
-        The residual before that step, and the step.
-    solver, options, history
-        As in `minimise`.
+    The unknowns are those after the last step of Newton's method, the residual that before it.
     """
     updates: list[Update] = []
     newton = history[-1]
     for _ in range(_MAX_QUASI):
         before, residual = residual, problem.residual(unknowns)
         updates.append(Update(step, residual - before))
-        step = -inverse_times(residual, updates, solver)
+        try:
+            step = -inverse_times(residual, updates, solver)
+        except InaccurateSolutionError:
+            break
         decrement = -float(residual @ step)
         if abs(decrement) > history[-1].decrement:  # away from the minimum
             break

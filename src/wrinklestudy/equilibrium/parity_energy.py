@@ -2,7 +2,7 @@
 
 from wrinklestudy.equilibrium.deflections import deflection_forms
 from wrinklestudy.equilibrium.whole import WholeEquilibrium
-from wrinklestudy.fem.factorisation import symmetric
+from wrinklestudy.fem.upper_triangle import symmetric
 from wrinklestudy.vocabulary import Parity
 
 

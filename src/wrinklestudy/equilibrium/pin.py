@@ -18,8 +18,9 @@ from wrinklestudy.equilibrium.energy import EnergyExpansion
 from wrinklestudy.equilibrium.flat import Flat
 from wrinklestudy.equilibrium.problem import PlateProblem, Predicting
 from wrinklestudy.equilibrium.quartic import relaxations
-from wrinklestudy.fem.factorisation import Solver, multiply
+from wrinklestudy.fem.factorisation import Solver
 from wrinklestudy.fem.space import Space
+from wrinklestudy.fem.upper_triangle import multiply
 from wrinklestudy.typing import Array, Mask
 from wrinklestudy.vocabulary import Parity
 

@@ -7,9 +7,10 @@ import scipy.linalg
 from wrinklestudy.equilibrium import deflections, flat, modes, planar, quartic, seeds, wrinkled
 from wrinklestudy.equilibrium.problem import PlateProblem
 from wrinklestudy.fem.boundary import QUARTER, Symmetry
-from wrinklestudy.fem.factorisation import count_negative_eigenvalues, multiply, symmetric
+from wrinklestudy.fem.factorisation import count_negative_eigenvalues
 from wrinklestudy.fem.grid import Grid, MeshSettings, make_grid
 from wrinklestudy.fem.space import Space
+from wrinklestudy.fem.upper_triangle import multiply, symmetric
 from wrinklestudy.mechanics.laws import mooney_rivlin, saint_venant_kirchhoff
 
 LATEX = mooney_rivlin(6.21e4, 1.58e5).law

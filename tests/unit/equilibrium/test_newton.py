@@ -104,3 +104,19 @@ def test_takes_no_step_with_an_old_tangent_away_from_the_minimum():
     assert minimum.converged
     assert np.allclose(minimum.unknowns, 1.0, atol=1e-9)
     assert all(row.fresh for row in minimum.history)
+
+
+class Overflowing(DoubleWell):
+    """The double well with a residual that overflows beyond x = 2."""
+
+    def derivatives(self, u):
+        exact = super().derivatives(u)
+        if u[0] > 2.0:
+            return exact._replace(residual=np.array([np.inf, 0.0]))
+        return exact
+
+
+def test_says_that_linear_equations_cannot_be_solved():
+    minimum = minimise(Overflowing(), np.array([5.0, -3.0]), make_solver(), NewtonOptions())
+    assert minimum.reason == "linear equations have numbers that are not finite"
+    assert np.all(minimum.unknowns == (5.0, -3.0))

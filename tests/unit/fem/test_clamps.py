@@ -6,10 +6,10 @@ import pytest
 from wrinklestudy.equilibrium.problem import PlateProblem
 from wrinklestudy.fem.boundary import Symmetry
 from wrinklestudy.fem.clamps import Clamps
-from wrinklestudy.fem.factorisation import symmetric
 from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.space import Space
 from wrinklestudy.fem.thickness import Ripple, ThicknessField, ThicknessTable
+from wrinklestudy.fem.upper_triangle import symmetric
 from wrinklestudy.mechanics.laws import mooney_rivlin
 from wrinklestudy.mechanics.section import Section
 

@@ -7,6 +7,7 @@ import pytest
 from scipy import sparse
 
 from wrinklestudy.fem import factorisation
+from wrinklestudy.fem.upper_triangle import backward_error, multiply
 
 NEEDS_PARDISO = pytest.mark.skipif(
     importlib.util.find_spec("pypardiso") is None, reason="pypardiso has wheels for x86-64 only"
@@ -87,5 +88,45 @@ def test_indefinite_matrices_are_solved_and_their_negative_eigenvalues_counted(s
 def test_multiply_uses_both_triangles():
     full = matrix(0.3)
     block = np.random.default_rng(2).standard_normal((len(full), 2))
-    assert np.allclose(factorisation.multiply(upper(full), block), full @ block)
-    assert np.allclose(factorisation.multiply(upper(full), block[:, 0]), full @ block[:, 0])
+    assert np.allclose(multiply(upper(full), block), full @ block)
+    assert np.allclose(multiply(upper(full), block[:, 0]), full @ block[:, 0])
+
+
+@pytest.mark.parametrize("solver", SOLVERS + INDEFINITE)
+def test_a_solution_that_does_not_satisfy_its_equations_is_refused(solver):
+    """Factors of one matrix for the equations of another, and numbers that are none."""
+    factor = solver()
+    changed = upper(matrix(5.0))
+    factor.factorise(changed)
+    rhs = np.ones(changed.shape[0])
+    with pytest.raises(factorisation.InaccurateSolutionError, match="not finite"):
+        factor.solve(np.where(np.arange(len(rhs)) == 3, np.nan, rhs))
+    factor.solve(rhs)
+    changed.data *= 3.0
+    with pytest.raises(factorisation.InaccurateSolutionError, match="a relative error of 0"):
+        factor.solve(rhs)
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+def test_solutions_that_are_slightly_wrong_are_refined(solver):
+    """Where the factors are those of a matrix that is close, a step of refinement mends it."""
+    factor = solver()
+    changed = upper(matrix(5.0))
+    factor.factorise(changed)
+    changed.data *= 1.0 + 1e-6
+    rhs = np.ones(changed.shape[0])
+    assert backward_error(changed, factor.solve(rhs), rhs) < 1e-11
+
+
+def test_the_backward_error_counts_soft_rows_as_much_as_stiff_ones():
+    full = matrix(5.0)
+    rhs = np.ones(len(full))
+    solution = np.linalg.solve(full, rhs)
+    assert backward_error(upper(full), solution, rhs) < 1e-14
+    for row in (3, len(full) - 3):  # stiff, soft
+        wrong = rhs.copy()
+        wrong[row] *= 1.001
+        error = backward_error(upper(full), np.linalg.solve(full, wrong), rhs)
+        assert error > 1e-9
+    assert backward_error(upper(full), 0.0 * rhs, 0.0 * rhs) == 0.0
+    assert np.isnan(backward_error(upper(full), np.nan * rhs, rhs))

@@ -14,8 +14,8 @@ from verification.tools.sheets import LATEX, NEO_HOOKEAN, SVK
 from verification.tools.solid_law import SolidLaw
 from verification.tools.solid_space import solid_space
 from verification.tools.solid_states import SolidSheet, cubic
-from wrinklestudy.fem.factorisation import symmetric
 from wrinklestudy.fem.grid import Grid
+from wrinklestudy.fem.upper_triangle import symmetric
 from wrinklestudy.studies.panaitescu2019.solid import FILE, solid_ends
 
 ROOT = Path(__file__).parents[3]

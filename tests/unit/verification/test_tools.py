@@ -19,9 +19,9 @@ from verification.tools.singularity import halved, williams
 from verification.tools.stiffness import flexure, stiffness_formula
 from verification.tools.stretching import CASES, MODES, exact
 from wrinklestudy.fem.boundary import QUARTER
-from wrinklestudy.fem.factorisation import multiply
 from wrinklestudy.fem.grid import MeshSettings, make_grid
 from wrinklestudy.fem.space import Space
+from wrinklestudy.fem.upper_triangle import multiply
 from wrinklestudy.material.homogeneous import nominal_stress
 from wrinklestudy.mechanics.laws import Material
 from wrinklestudy.study.digest import PACKAGE, SOURCE
