@@ -18,7 +18,7 @@ SNAKEMAKE := $(BIN)/snakemake --cores $(CORES) --quiet host rules
 ONE_THREAD := OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 .DEFAULT_GOAL := help
-.PHONY: help env figures quick beyond literature imperfections report archive explorer film docs test test-kill test-slurm verify \
+.PHONY: help env figures quick beyond literature imperfections report archive explorer film docs test test-fuzz test-kill test-slurm verify \
 	verify-solid bench bench-plan lint schema lock
 
 help: ## list the targets
@@ -82,6 +82,9 @@ docs: $(READY) ## build the site from docs/, with the figures that are there: si
 
 test: $(READY) ## run the tests, with the quick study as one of them
 	$(ONE_THREAD) $(BIN)/python -m pytest --numprocesses auto --dist loadgroup --no-loadscope-reorder
+
+test-fuzz: $(READY) ## throw 10,000 broken configs, files, paths and command lines at the program (half an hour)
+	$(ONE_THREAD) FUZZ_EXAMPLES=10000 $(BIN)/python -m pytest tests/fuzz --numprocesses auto --dist load -q
 
 test-kill: $(READY) ## kill runs of a small study a hundred times at random moments (ten minutes)
 	$(ONE_THREAD) KILLS=100 KILL_SEED=$$(date +%j) $(BIN)/python -m pytest -q tests/workflow/test_kills.py

@@ -60,6 +60,25 @@ class Limits:
         return f"{' and '.join(ends) or 'a finite number'}{unit}"
 
 
+def printable(text: str) -> str:
+    r"""Return a text that does nothing to a terminal but show itself.
+
+    Examples
+    --------
+    >>> print(printable("no such file: \x1b[2J"))
+    no such file: \x1b[2J
+    """
+    return "".join(
+        letter if letter.isprintable() else letter.encode("unicode_escape").decode()
+        for letter in text
+    )
+
+
+def one_line(text: str) -> str:
+    """Return a text as one line, printable."""
+    return printable(" ".join(text.split()))
+
+
 def _plain(number: float) -> str:
     return f"{number:g}".replace("e-0", "e-")
 
@@ -68,6 +87,8 @@ ASPECT = Limits(0.5, 20.0, unit="L/W")
 # The mesh of a thinner sheet fits in no memory; at smaller strains energies are mostly rounding.
 THICKNESS = Limits(1e-6, 0.05, unit="t/W")
 STRAIN = Limits(1e-7, 1.0)
+# Softer and stiffer than anything there is; beyond lie numbers with fewer digits, or none.
+SHEAR_MODULUS = Limits(1e-9, 1e18, unit="Pa")
 JOBS = Limits(1, 1000)  # processes at the same time
 # Cells of the quarter of the reference sheet, along or across.
 CELLS = Limits(2, 500)

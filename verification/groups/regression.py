@@ -22,7 +22,7 @@ MESH, STRAIN = (12, 18), 0.12
 QUICK_MESH = (8, 14)
 _THREADS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS")
 _NAMES = ("energy", "A/t", "Phi^2", "W_proj/W", "stress/mu", "tau_1/W")
-_ROUNDING, _SOLVER = 1e-10, 1e-8
+_ROUNDING, _SOLVER = 1e-10, 1e-9
 # Without pypardiso the library factorises with SuperLU; only the library sees that it is missing
 _CHILD = (
     "import json, sys\n"

@@ -5,9 +5,11 @@ import os
 import sys
 from collections.abc import Sequence
 
+from wrinklestudy.cli.origin_of_command import stating
 from wrinklestudy.cli.output import answer_of, discard, put
 from wrinklestudy.cli.outputs import WriteError
 from wrinklestudy.cli.parser import COMMANDS, parse
+from wrinklestudy.vocabulary import one_line
 
 # New objects before Python looks for garbage: imports make many, and none of them is garbage.
 _OBJECTS = 100_000
@@ -50,7 +52,9 @@ def _run(name: str, words: Sequence[str]) -> int:
     except SystemExit:
         put("")  # the help may be what cannot be written
         raise
-    answer = answer_of(COMMANDS[arguments.command].run(arguments))
+    command = COMMANDS[arguments.command]
+    with stating(arguments.command, arguments, command.run.__module__):
+        answer = answer_of(command.run(arguments))
     text = answer.text
     if arguments.json:
         from wrinklestudy.files.storage import format_json
@@ -64,5 +68,5 @@ def _run(name: str, words: Sequence[str]) -> int:
 
 def _end(name: str, message: str, status: int) -> int:
     """Say in one line why the command ends, and return its exit status."""
-    print(f"{name}: {' '.join(message.split())}", file=sys.stderr)
+    print(f"{name}: {one_line(message)}", file=sys.stderr)
     return status

@@ -16,6 +16,7 @@ from wrinklestudy.cli import (
     tension_command,
 )
 from wrinklestudy.cli.numbers import is_negative
+from wrinklestudy.vocabulary import one_line
 
 
 class Command(NamedTuple):
@@ -85,7 +86,7 @@ class _Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """Say what is wrong and stop."""
-        self.exit(2, f"{self.prog}: {message} (--help lists the options)\n")
+        self.exit(2, f"{self.prog}: {one_line(message)} (--help lists the options)\n")
 
 
 class _Version(argparse.Action):

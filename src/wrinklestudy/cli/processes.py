@@ -4,6 +4,8 @@ import signal
 from collections.abc import Callable, Iterator, Sequence
 from typing import TypeVar
 
+from wrinklestudy.files import origin
+
 Given = TypeVar("Given")
 Result = TypeVar("Result")
 
@@ -23,7 +25,7 @@ def in_processes(
     from concurrent.futures.process import BrokenProcessPool
 
     context = multiprocessing.get_context("spawn")  # BLAS does not outlive a fork
-    pool = ProcessPoolExecutor(jobs, context, initializer=_quiet_end)
+    pool = ProcessPoolExecutor(jobs, context, initializer=_begin, initargs=(origin.current(),))
     try:
         yield from pool.map(work, tasks)
     except BrokenProcessPool:
@@ -37,6 +39,10 @@ def in_processes(
         pool.shutdown(cancel_futures=True)
 
 
-def _quiet_end() -> None:
-    """Let Ctrl-C end a process without a traceback: the parent says what there is to say."""
+def _begin(stated: str) -> None:
+    """Begin a process, with the origin of the files that it writes.
+
+    Ctrl-C ends it without a traceback: the parent says what there is to say.
+    """
     signal.signal(signal.SIGINT, signal.SIG_DFL)
+    origin.take_over(stated)

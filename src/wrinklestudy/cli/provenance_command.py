@@ -101,7 +101,7 @@ def _text(answer: Mapping[str, Any]) -> str:
     for name, source in answer["sources"].items():
         state = {True: "unchanged", False: "changed since", None: "not here"}[source["unchanged"]]
         made = source["made"]
-        how = "" if made is None else f": {made['stage']}, {_config(made)}code {made['code']}"
+        how = "" if made is None else f": {_step(made)}, {_config(made)}code {made['code']}"
         lines.append(f"from {name} ({state}){how}")
     return "".join(f"{line}\n" for line in lines)
 
@@ -110,12 +110,17 @@ def _made(made: Mapping[str, Any]) -> list[str]:
     """Return the lines about one file."""
     versions = ", ".join(f"{name} {text}" for name, text in made["versions"].items())
     lines = [
-        f"made by: {made['program']}, stage {made['stage']}, code {made['code']}",
+        f"made by: {made['program']}, {_step(made)}, code {made['code']}",
         f"with: {versions}",
         f"on: {made['machine']}",
         f"config: {_config(made).removesuffix(', ')}",
     ]
     return lines + [f"{name}: {text}" for name, text in made.get("shown", {}).items() if text]
+
+
+def _step(made: Mapping[str, Any]) -> str:
+    """Return the stage of a study, or the command, that made a file."""
+    return f"command {made['command']}" if "command" in made else f"stage {made['stage']}"
 
 
 def _config(made: Mapping[str, Any]) -> str:

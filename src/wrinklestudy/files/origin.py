@@ -44,6 +44,11 @@ def current() -> str:
     return _STATED.get()
 
 
+def take_over(text: str) -> None:
+    """State what another process states: its `current`."""
+    _STATED.set(text)
+
+
 def metadata(suffix: str) -> dict[str, str]:
     """Return the origin as metadata of a picture, as `Figure.savefig` takes them."""
     key = {".pdf": _PDF_KEY, ".svg": _SVG_KEY}.get(suffix, KEY)

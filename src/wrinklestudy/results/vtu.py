@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from wrinklestudy.files.origin import append_comment
 from wrinklestudy.files.storage import atomic_path
 from wrinklestudy.metrics.stress import SampledStress
 from wrinklestudy.typing import AnyPath, Array
@@ -80,6 +81,7 @@ def write_vtu(
     mesh = meshio.Mesh(points, [("quad", _quads(len(x), len(y)))], point_data=point_data)
     with atomic_path(output) as path:
         meshio.write(path, mesh)
+        append_comment(path)
 
 
 def _rows(field: Array) -> Array:

@@ -8,6 +8,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from wrinklestudy.vocabulary import one_line
+
 _LOGGER = logging.getLogger(__name__)
 
 
@@ -48,7 +50,7 @@ def log_to(path: str) -> Iterator[None]:
         _LOGGER.info("job: %.3f s of CPU", time.process_time())
     except (ValueError, OSError, MemoryError) as error:
         logging.error(traceback.format_exc())
-        sys.exit(" ".join(str(error).split()) or "not enough memory")
+        sys.exit(one_line(str(error)) or "not enough memory")
     except BaseException:
         logging.error(traceback.format_exc())
         raise

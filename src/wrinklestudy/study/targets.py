@@ -10,7 +10,7 @@ from wrinklestudy.results.paths import STAGES, Paths
 from wrinklestudy.study.config import StudyConfig
 from wrinklestudy.study.config.wording import closest
 from wrinklestudy.study.plan import files_of
-from wrinklestudy.vocabulary import ASPECT, STRAIN, THICKNESS, Limits
+from wrinklestudy.vocabulary import ASPECT, STRAIN, THICKNESS, Limits, one_line
 
 _LIMITS = {
     "aspect": ASPECT,
@@ -64,7 +64,7 @@ def refusal(target: str, study: StudyConfig, paths: Paths) -> str | None:
                 needs_strains = stage == "metrics" or written.analysis
                 if not faults and needs_strains and path not in files_of(study, paths, stage):
                     faults = [f"the config has no strains for {_NEEDS_STRAINS[stage]}"]
-                return f"{target}: {'; '.join(faults)}" if faults else None
+                return one_line(f"{target}: {'; '.join(faults)}") if faults else None
     return None
 
 

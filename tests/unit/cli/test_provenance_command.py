@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from wrinklestudy.cli import main
-from wrinklestudy.files.records import FOLDER
+from wrinklestudy.files.records import FOLDER, file_digest
 from wrinklestudy.files.storage import write_h5
 from wrinklestudy.stages.recording import program, recorded
 
@@ -60,3 +60,39 @@ def test_a_file_of_other_origin_is_refused_in_one_line(tmp_path, capsys, suffix)
 def test_a_missing_file_is_named(capsys):
     assert main(["provenance", "nowhere.csv"]) == 2
     assert capsys.readouterr().err == "wrinklestudy provenance: nowhere.csv: no such file\n"
+
+
+COARSE = ["--cells-along", "6", "--cells-across", "8"]
+SHEET = ["--aspect", "2", "--thickness", "1e-3", "--c10", "1e5", "--c01", "0", *COARSE]
+
+
+def made_by(path, capsys):
+    capsys.readouterr()
+    assert main(["provenance", "--json", str(path)]) == 0
+    (answer,) = json.loads(capsys.readouterr().out)
+    return answer["made"]
+
+
+def test_files_of_a_command_say_how_they_were_made(tmp_path, capsys):
+    """From this process and from others; paths are in them by their names alone."""
+    files = ["--vtu", str(tmp_path / "s.vtu"), "--picture", str(tmp_path / "s.png")]
+    strains = ["--strain", "0.01:0.02:0.01", "--jobs", "2"]
+    assert main(["solve", *SHEET, *strains, *files]) == 0
+    made = [made_by(path, capsys) for path in sorted(tmp_path.iterdir())]
+    assert len(made) == 4
+    assert all(one == made[0] for one in made)
+    assert made[0]["command"] == "solve"
+    config = made[0]["config"]
+    assert (config["c10"], config["c01"], config["strain"]) == (1e5, 0.0, ["0.01:0.02:0.01"])
+    assert str(tmp_path) not in json.dumps(made)
+    assert main(["provenance", str(tmp_path / "s_strain0.01.vtu")]) == 0
+    assert ", command solve, code " in capsys.readouterr().out
+
+
+def test_a_picture_of_a_fit_names_its_data_by_checksum(tmp_path, capsys):
+    data = tmp_path / "curve.csv"
+    data.write_text("strain,stress_pa\n0,0\n0.1,5e4\n0.2,9e4\n0.3,1.2e5\n0.5,1.7e5\n")
+    assert main(["fit", str(data), "--plot", str(tmp_path / "fit.pdf")]) == 0
+    made = made_by(tmp_path / "fit.pdf", capsys)
+    assert made["inputs"] == {"data": file_digest(data)}
+    assert made["config"]["data"] == "curve.csv"

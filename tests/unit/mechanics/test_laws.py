@@ -193,7 +193,7 @@ def test_pascals_come_back_from_the_dimensionless_law() -> None:
         (lambda: ogden(1.0, 0.0, 1.0, 1.0), "alpha1 = 0: must be >= -50 and <= 50, but not 0"),
         (lambda: ogden(1.0, 2.0, 1.0, -2.0), "mu2 = 1: must be <= 0 Pa with alpha2 = -2"),
         (lambda: ogden(1.0, 2.0, 1.0, 51.0), "alpha2 = 51: must be >= -50 and <= 50"),
-        (lambda: ogden(0.0, 2.0, 0.0, 1.0), "the initial shear modulus must be > 0 Pa"),
+        (lambda: ogden(0.0, 2.0, 0.0, 1.0), "the initial shear modulus must be >= 1e-9 and"),
         (lambda: MooneyRivlin.material(c10=1.0), "c01: mooney-rivlin needs it"),
         (lambda: MooneyRivlin.material(c10=1.0, c01=1.0, c20=1.0), "c20: not a constant of moon"),
     ],

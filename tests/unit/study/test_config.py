@@ -233,7 +233,8 @@ MEMBRANE = {"law": "foppl-von-karman", "constants": {"young": 1.0e6, "poisson": 
         (
             ("variants", "Fixed"),
             {"material": "latex", "bending": "fvk"},
-            "variants.Fixed = 'Fixed': must be a name of lower-case letters, digits, '-' and '_'",
+            "variants.Fixed = 'Fixed': must be a name of at most 100 lower-case "
+            "letters, digits, '-' and '_'",
         ),
         (("variants",), None, "variants = null: must be a block"),
         (("folders", "results"), "", "folders.results = '': must be text"),
@@ -256,13 +257,15 @@ MEMBRANE = {"law": "foppl-von-karman", "constants": {"young": 1.0e6, "poisson": 
         (
             ("sheets", 0, "material"),
             1944,
-            "sheets[0].material = 1944: must be a name of lower-case letters, digits, '-' and '_'; "
+            "sheets[0].material = 1944: must be a name of at most 100 lower-case "
+            "letters, digits, '-' and '_'; "
             "YAML reads it as a number: put it in quotes",
         ),
         (
             ("materials", False),
             {"data": "a.csv"},
-            "materials.false = false: must be a name of lower-case letters, digits, '-' and '_'; "
+            "materials.false = false: must be a name of at most 100 lower-case "
+            "letters, digits, '-' and '_'; "
             "YAML reads no and off as false: put the word in quotes",
         ),
         (

@@ -9,6 +9,7 @@ from typing import Any, ClassVar, Self, TypeVar
 import numpy as np
 
 from wrinklestudy.typing import Array
+from wrinklestudy.vocabulary import SHEAR_MODULUS
 
 
 @dataclass(frozen=True)
@@ -205,9 +206,9 @@ class Law(ABC):
             constant.check(values[constant.name])
         cls.check(values)
         modulus = cls.shear_modulus(values)
-        if not modulus > 0.0:
+        if modulus not in SHEAR_MODULUS:
             given = ", ".join(f"{name} = {value:g}" for name, value in values.items())
-            raise ValueError(f"{given}: the initial shear modulus must be > 0 Pa")
+            raise ValueError(f"{given}: the initial shear modulus must be {SHEAR_MODULUS}")
         return Material(cls.dimensionless(values, modulus), modulus)
 
     @classmethod

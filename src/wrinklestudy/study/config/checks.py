@@ -24,12 +24,16 @@ from wrinklestudy.study.config.model import StudyConfig
 from wrinklestudy.study.config.spelling import misleading
 from wrinklestudy.study.config.wording import closest, lines
 from wrinklestudy.study.loading import CatalogueError
+from wrinklestudy.vocabulary import printable
 
 MAX_STRAINS = 1000
 
 
 class ConfigError(ValueError):
     """The config is wrong; the message has one line per problem."""
+
+    def __init__(self, message: str):
+        super().__init__("\n".join(map(printable, message.split("\n"))))
 
 
 def load_config(

@@ -50,7 +50,8 @@ def read_yaml(path: AnyPath) -> Any:
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         where = f"{path}, line {mark.line + 1}" if mark else f"{path}"
-        raise ConfigError(f"{where}: is not YAML ({getattr(error, 'problem', error)})") from None
+        problem = getattr(error, "problem", None) or getattr(error, "reason", None) or str(error)
+        raise ConfigError(f"{where}: is not YAML ({problem})") from None
 
 
 def _over(upper: dict[Any, Any], lower: dict[Any, Any]) -> dict[Any, Any]:

@@ -27,6 +27,10 @@ from wrinklestudy.vocabulary import ASPECT, STRAIN, THICKNESS, Limits
 # number inside --config 'mesh={cells_across: 14}' for text.
 _NUMBER = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?")
 _COUNT = re.compile(r"[0-9]{1,18}")
+# Systems allow 255 bytes in a name and some thousand in a path; names of files have more than names
+# of materials: numbers, suffixes.
+_LONGEST_NAME = 100
+_LONGEST_PART, _LONGEST_PATH = 250, 1000
 # The type of errors whose message says what is wrong.
 SAID = "said"
 
@@ -101,6 +105,13 @@ def _normal(path: str) -> str:
     if path.startswith("~"):
         text = "must be a path; there is no home folder of that name"
         raise PydanticCustomError(SAID, "{text}", {"text": text})
+    if len(os.fsencode(path)) > _LONGEST_PATH or any(
+        len(os.fsencode(part)) > _LONGEST_PART for part in path.split("/")
+    ):
+        text = (
+            f"must be a path that no system finds too long: names of at most {_LONGEST_PART} bytes"
+        )
+        raise PydanticCustomError(SAID, "{text}", {"text": text})
     return re.sub("^/+", "/", os.path.normpath(path))
 
 
@@ -133,8 +144,10 @@ Name = Annotated[
     str,
     Field(
         pattern=f"^{NAME_PATTERN}$",
+        max_length=_LONGEST_NAME,
         json_schema_extra={
-            "errorMessage": "must be a name of lower-case letters, digits, '-' and '_'"
+            "errorMessage": f"must be a name of at most {_LONGEST_NAME} lower-case letters, "
+            "digits, '-' and '_'"
         },
     ),
 ]
