@@ -1,7 +1,7 @@
 """One sheet for interactive use: material, L/W and t/W in, states and measures out."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from time import perf_counter
 
@@ -24,6 +24,7 @@ from wrinklestudy.mechanics.laws import Material, describe
 from wrinklestudy.metrics.confinement import confinement
 from wrinklestudy.metrics.interpolant import DeformedSheet
 from wrinklestudy.metrics.measure import measure_sheet
+from wrinklestudy.metrics.profile import FoldedProfileError
 from wrinklestudy.results.cases import resolved_thickness
 from wrinklestudy.results.prediction import PredictionRow, prediction_row
 from wrinklestudy.results.solved import State, TensionState
@@ -89,7 +90,7 @@ class Sheet:
 
     def _mesh(self) -> str:
         """Return what mesh a sheet that is too thin would need, for a message."""
-        if not 0.0 < self.thickness < THICKNESS.lowest:
+        if not 1e-6 * THICKNESS.lowest < self.thickness < THICKNESS.lowest:
             return ""
         size = ProblemSize.of_sheet(self.aspect, self.thickness, self.mesh)
         return f"; it would need {size.text()}"
@@ -196,7 +197,11 @@ class Sheet:
         measures = None
         if solved.status != "not-converged" and solved.position is not None:
             nodes = self.space.nodes_from_field(solved.position)
-            measures = measure_sheet(DeformedSheet(self.space.grid, nodes, self.settings.symmetry))
+            shape = DeformedSheet(self.space.grid, nodes, self.settings.symmetry)
+            try:
+                measures = measure_sheet(shape)
+            except FoldedProfileError as error:
+                solved = replace(solved, status="not-converged", reason=str(error))
         return State(strain, solved, measures, seconds)
 
     @property

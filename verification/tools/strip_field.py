@@ -18,6 +18,9 @@ from wrinklestudy.metrics.interpolant import evaluate
 from wrinklestudy.typing import Array
 
 _ORDER = 7  # as the tension field of the library
+# As the tension field of the library, and for its reason: near the minimum single points change
+# between taut and wrinkled again and again.
+_OPTIONS = replace(OPTIONS, tolerance=1e-11, smooth=False)
 _GRADING = 1.5  # cells shrink toward the clamps and the free ends
 
 
@@ -96,7 +99,7 @@ def solve(
     problem = RelaxedProblem(space, RelaxedLaw(law), taut, taut, NO_MIRRORS)
     for remainder in REMAINDERS if start is None else REMAINDERS[-1:]:
         problem = RelaxedProblem(space, RelaxedLaw(law, remainder), taut, taut, NO_MIRRORS)
-        minimum = newton.minimise(problem, unknowns, solver, OPTIONS)
+        minimum = newton.minimise(problem, unknowns, solver, _OPTIONS)
         if not minimum.converged:
             raise ArithmeticError(f"sheared strip, remainder {remainder:g}: {minimum.reason}")
         unknowns = minimum.unknowns

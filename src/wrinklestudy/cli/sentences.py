@@ -166,6 +166,12 @@ def stability_text(found: Mapping[str, Any], size: GivenSize) -> str:
 
 
 def _stability(found: Mapping[str, Any], size: GivenSize) -> str:
+    passed_over = found["passed_over"]
+    note = f" {passed_over[0].upper()}{passed_over[1:]}." if passed_over else ""
+    return f"{_windows(found, size)}{note}"
+
+
+def _windows(found: Mapping[str, Any], size: GivenSize) -> str:
     peak, where = found["max_critical_thickness"], found["strain_at_max"]
     examined = f"strain {found['largest_strain']:.4g}"
     thickest = f"{cell(peak)} W"

@@ -50,6 +50,9 @@ class Stability:
     critical_thickness : tuple of (strain, tau_1/W)
         All that was computed, sorted by strain. Those that only a coarser mesh gave are scaled to
         agree with the mesh of the sheet where both were used.
+    passed_over : str
+        Why tau_1 is not known at smaller strains, as those at which a heavy sheet sags; empty where
+        it is known from the least strain on.
     """
 
     thickness: float
@@ -61,6 +64,7 @@ class Stability:
     largest_strain: float
     reason: str
     critical_thickness: tuple[tuple[float, float], ...]
+    passed_over: str = ""
 
 
 def search(

@@ -139,9 +139,32 @@ def find(
     """
     if not thickness > 0:
         raise ValueError(f"thickness = {thickness:g}: must be > 0 (in units of W)")
+    failures: dict[float, str] = {}
+    noted = _noting(curve, failures)
     if guide is None:
-        return search(curve, thickness, known, survey, origin=origin)
-    return _find_guided(ScaledCurve(curve, guide), thickness, survey, origin)
+        limits = search(noted, thickness, known, survey, origin=origin)
+    else:
+        scaled = ScaledCurve(noted, _noting(guide, failures))
+        limits = _find_guided(scaled, thickness, survey, origin)
+    least = limits.critical_thickness[0][0]
+    reasons = [reason for strain, reason in sorted(failures.items()) if strain < least]
+    text = f"below strain {least:g} nothing is known: {reasons[-1]}" if reasons else ""
+    return replace(limits, passed_over=text)
+
+
+def _noting(
+    curve: Callable[[float], float], failures: dict[float, str]
+) -> Callable[[float], float]:
+    """Return a curve that notes at which strains it could not be computed, and why."""
+
+    def noted(strain: float) -> float:
+        try:
+            return curve(strain)
+        except ArithmeticError as error:
+            failures[strain] = str(error)
+            raise
+
+    return noted
 
 
 def _find_guided(

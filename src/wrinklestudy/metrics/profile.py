@@ -11,6 +11,10 @@ SAMPLES_PER_CELL = 64
 LEAST_POINTS = 8
 
 
+class FoldedProfileError(ValueError):
+    """A cross-section folds over itself, as on a mesh that is far too coarse for its wrinkles."""
+
+
 @dataclass(frozen=True)
 class Profile:
     """A cross-section of the sheet.
@@ -70,10 +74,16 @@ def profile_from_state(
     ------
     ValueError
         If the line is outside the sheet.
+    FoldedProfileError
+        If y does not increase along it.
     """
     whole = sheet.unfolded()
     end = whole.grid.x[-1]
     if not abs(x) <= end:
         raise ValueError(f"x = {x:g}: must lie between -L/2 and L/2 = {end:g} (in units of W)")
     line = whole.evaluate(np.array([x]), subdivided(whole.grid.y, per_cell))[:, 0, :]
+    if not (np.diff(line[1]) > 0.0).all():
+        raise FoldedProfileError(
+            f"the cross-section at X = {x:g} folds over itself, nothing can be measured on it"
+        )
     return Profile(y=line[1], z=line[2], x=line[0])

@@ -31,7 +31,7 @@ def imperfection_row(
     stability : Stability or None
         None if it could not be computed.
     reason : str
-        Why not.
+        Why not, or not at all strains.
     """
     from wrinklestudy.equilibrium.parity_energy import parity_energy
 

@@ -6,6 +6,7 @@ from typing import Any
 
 from wrinklestudy.metrics.interpolant import DeformedSheet
 from wrinklestudy.metrics.measure import Measures, measure_sheet
+from wrinklestudy.metrics.profile import FoldedProfileError
 from wrinklestudy.metrics.surface import envelope, sheet_peak
 from wrinklestudy.results.fields import deformed_sheet, read_wrinkle
 from wrinklestudy.results.rows import StateRow, columns
@@ -15,8 +16,8 @@ from wrinklestudy.typing import AnyPath
 def measure_state(path: AnyPath) -> StateRow:
     """Return the row of one wrinkle file.
 
-    A state that did not converge has no numbers that are measured or belong to an equilibrium; a
-    flat state has amplitude 0, Phi^2 = 0 and no wavelength.
+    A state that did not converge, or folds over itself, has no numbers that are measured or belong
+    to an equilibrium; a flat state has amplitude 0, Phi^2 = 0 and no wavelength.
 
     Parameters
     ----------
@@ -33,6 +34,8 @@ def measure_state(path: AnyPath) -> StateRow:
         return unmeasured(row)
     try:
         return _measured(row, deformed_sheet(row, datasets))
+    except FoldedProfileError as error:
+        return unmeasured(replace(row, status="not-converged", reason=str(error)))
     except ValueError as error:
         raise ValueError(f"{fspath(path)}: {error}") from None
 

@@ -14,6 +14,7 @@ from wrinklestudy.mechanics.laws import Material
 from wrinklestudy.metrics.interpolant import DeformedSheet
 from wrinklestudy.metrics.measure import measure_sheet
 from wrinklestudy.metrics.phase_band import PhaseBand, phase_band
+from wrinklestudy.metrics.profile import FoldedProfileError
 from wrinklestudy.results.rows import Row, StateRow, described, like
 from wrinklestudy.results.solved import State
 from wrinklestudy.typing import Array
@@ -204,7 +205,10 @@ def solve_whole(
     seconds = perf_counter() - start
     measures = None
     if solved is not None and solved.status != "not-converged":
-        measures = measure_sheet(_shape(solved, solved.position))
+        try:
+            measures = measure_sheet(_shape(solved, solved.position))
+        except FoldedProfileError as error:
+            solved = replace(solved, status="not-converged", reason=str(error))
     return WholeState(
         strain,
         solved,

@@ -86,6 +86,7 @@ def run(
         ]
         try:
             limits = stability.of_imperfect_sheet(space, loaded, whole, thickness)
+            reason = limits.passed_over
         except ArithmeticError as error:
             reason = f"birth and decay: {error}"
     cells = space.grid.cells

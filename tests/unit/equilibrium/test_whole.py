@@ -131,6 +131,7 @@ def test_strains_at_which_a_heavy_sheet_sags_are_passed_over():
         assert found.birth_strain is None
         assert found.ranges[0][0] == 0.03
         assert found.decay_strain == pytest.approx(0.25, abs=1e-5)
+        assert found.passed_over == "below strain 0.03 nothing is known: sags"
 
 
 def test_a_curve_that_can_be_computed_nowhere_says_why():
