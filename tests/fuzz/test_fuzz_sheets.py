@@ -7,7 +7,7 @@ import math
 import warnings
 
 import pytest
-from fuzzing import fuzzed, in_time
+from fuzzing import fuzzed
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -59,7 +59,7 @@ def sheets(draw):
 @fuzzed(0.1)
 @given(sheets(), powers(1e-6, 1.0))
 def test_sheets_are_solved_or_have_a_reason(sheet, strain):
-    with in_time(), warnings.catch_warnings():
+    with warnings.catch_warnings():
         warnings.simplefilter("error", RuntimeWarning)
         state = sheet.solve(strain)
     values = state.as_dict()
