@@ -229,7 +229,7 @@ def width_checks(row: Widths) -> list[Check]:
     ]
     if len(row.library) > 1:
         change = abs(row.library[-1] - middle)
-        covered = "the change from the coarser mesh, which the library solves first, bounds it"
+        covered = "the largest change near the middle from the coarser mesh bounds it"
         checks += [
             Check(
                 f"{case}: change to the finest mesh",

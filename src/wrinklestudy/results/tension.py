@@ -33,7 +33,8 @@ class TensionRow(Row):
     )
     phi_squared: float | None = described("Phi^2 = (W_arc - W_proj)/W_proj on X = 0", shown=True)
     phi_squared_error: float | None = described(
-        "its difference from a mesh with half the cells in each direction", shown=True
+        "its largest difference from a mesh with half the cells in each direction, |X| <= W/4",
+        shown=True,
     )
     phi_squared_central: float | None = described(
         "Phi^2 at the centre: natural over actual width, less one; 0 if taut", shown=True
@@ -74,7 +75,7 @@ def tension_row(field: "TensionField", material: laws.Material, name: str) -> Te
     name : str
         Name of the material.
     """
-    from wrinklestudy.metrics.confinement import confinement
+    from wrinklestudy.metrics.confinement import confinement, mesh_error
 
     along, across = field.space.grid.cells
     row: dict[str, Any] = {
@@ -96,7 +97,7 @@ def tension_row(field: "TensionField", material: laws.Material, name: str) -> Te
     coarser = field.coarser
     error = None
     if coarser is not None and coarser.converged and coarser.remainder == field.remainder:
-        error = abs(measured.phi_squared - confinement(coarser).phi_squared)
+        error = mesh_error(field, coarser)
     wrinkled = max(measured.wrinkled_width, measured.wrinkled_length_over_length) > 0.0
     return TensionRow(
         **row
