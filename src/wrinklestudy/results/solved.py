@@ -104,7 +104,7 @@ class TensionState:
 
     @property
     def phi_squared_error(self) -> float | None:
-        """Estimate of the error of Phi^2 by the mesh, if known: `metrics.confinement.mesh_error`."""
+        """Error of Phi^2 by the mesh, if known: `metrics.confinement.mesh_error`."""
         return self.row.phi_squared_error
 
     def as_dict(self) -> dict[str, Any]:

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from wrinklestudy import MeshSettings, Sheet, mooney_rivlin
+from wrinklestudy.metrics.confinement import confined_widths
 
 LATEX = mooney_rivlin(c10=6.21e4, c01=1.58e5)
 STRAIN = 0.12
