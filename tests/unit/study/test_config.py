@@ -236,6 +236,12 @@ MEMBRANE = {"law": "foppl-von-karman", "constants": {"young": 1.0e6, "poisson": 
             "variants.Fixed = 'Fixed': must be a name of at most 100 lower-case "
             "letters, digits, '-' and '_'",
         ),
+        (
+            ("materials", "latex"),
+            {"law": "neo-hookean", "constants": {"C 10": 1.0e5}},
+            "materials.latex.constants.C 10 = 'C 10': must be a name of at most 100 lower-case "
+            "letters, digits, '-' and '_'",
+        ),
         (("variants",), None, "variants = null: must be a block"),
         (("folders", "results"), "", "folders.results = '': must be text"),
         (

@@ -68,7 +68,7 @@ def _line(root: type[BaseModel], error: ErrorDetails, path: tuple[int | str, ...
         kinds = _alternatives(schema, _at(schema, path[:-1]))
         known = next(kind["properties"] for kind in kinds if "properties" in kind)
         return f"{key}: unknown key{closest(str(path[-1]), known)}"
-    node = _at(schema, path[:-1])["propertyNames"] if _is_key(error) else _at(schema, path)
+    node = _names(schema, path[:-1]) if _is_key(error) else _at(schema, path)
     node = _alternatives(schema, node)[0]
     allowed = error["msg"] if kind == SAID else _words(node, kind)
     shown = "" if isinstance(value, Mapping) and value else f" = {_short(value)}"
@@ -77,6 +77,13 @@ def _line(root: type[BaseModel], error: ErrorDetails, path: tuple[int | str, ...
 
 def _is_key(error: ErrorDetails) -> bool:
     return error["loc"][-1:] == ("[key]",)
+
+
+def _names(schema: Schema, path: Sequence[int | str]) -> Schema:
+    """Return the part of a schema that describes the names in the block at a path."""
+    kinds = _alternatives(schema, _at(schema, path))
+    names: Schema = next(kind["propertyNames"] for kind in kinds if "propertyNames" in kind)
+    return names
 
 
 @cache
