@@ -52,6 +52,10 @@ def read_yaml(path: AnyPath) -> Any:
         where = f"{path}, line {mark.line + 1}" if mark else f"{path}"
         problem = getattr(error, "problem", None) or getattr(error, "reason", None) or str(error)
         raise ConfigError(f"{where}: is not YAML ({problem})") from None
+    except ValueError as error:  # a date that is none, a number with a tag that it is none of
+        raise ConfigError(f"{path}: has a value that YAML cannot read ({error})") from None
+    except RecursionError:
+        raise ConfigError(f"{path}: has lists and blocks too deep in each other") from None
 
 
 def _over(upper: dict[Any, Any], lower: dict[Any, Any]) -> dict[Any, Any]:

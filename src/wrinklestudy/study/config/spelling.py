@@ -1,4 +1,4 @@
-"""What a reader of YAML gets wrong without a word: repeated keys, numbers read as others."""
+"""What a reader of YAML gets wrong without a word: repeated keys, numbers read as others, loops."""
 
 import re
 from collections.abc import Iterator
@@ -9,6 +9,7 @@ import yaml
 # Numbers that people read as YAML does. Not these: 1_000, 010 (octal), 0x10, 1:30 (base 60).
 _PLAIN = re.compile(r"[-+]?(0|[1-9][0-9]*|[0-9]*\.[0-9]+|[0-9]+\.[0-9]*)([eE][-+]?[0-9]+)?")
 _NUMBERS = ("tag:yaml.org,2002:int", "tag:yaml.org,2002:float")
+_MOST_ENTRIES, _DEEPEST = 100_000, 50
 _NOT_FINITE = re.compile(r"[-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN)")
 
 
@@ -21,8 +22,32 @@ def misleading(path: str) -> list[str]:
         YAML or JSON file whose syntax is right.
     """
     root = yaml.compose(Path(path).read_text(encoding="utf-8"), Loader=yaml.SafeLoader)
-    problems = [] if root is None else sorted(set(_problems(root, "")))
+    if root is None:
+        return []
+    problems = _endless(root) or sorted(set(_problems(root, "")))
     return [f"{path}, line {line + 1}: {text}" for line, text in problems]
+
+
+def _endless(root: yaml.Node) -> list[tuple[int, str]]:
+    """Return line (from 0) and text if aliases make a file endless, or as good as that."""
+    count, todo = 0, [(root, "", frozenset[int]())]
+    while todo:
+        node, key, above = todo.pop()
+        count += 1
+        if id(node) in above:
+            return [(node.start_mark.line, f"{key}: contains itself, by an alias")]
+        if len(above) > _DEEPEST:
+            return [(node.start_mark.line, f"lists and blocks in each other, over {_DEEPEST} deep")]
+        if count > _MOST_ENTRIES:
+            return [(0, f"has more than {_MOST_ENTRIES:,} entries, counted as often as aliased")]
+        within = above | {id(node)}
+        if isinstance(node, yaml.MappingNode):
+            for name, value in node.value:
+                inner = name.value if isinstance(name, yaml.ScalarNode) else "?"
+                todo += [(name, key, within), (value, f"{key}.{inner}".removeprefix("."), within)]
+        elif isinstance(node, yaml.SequenceNode):
+            todo += [(entry, f"{key}[{i}]", within) for i, entry in enumerate(node.value)]
+    return []
 
 
 def _problems(node: yaml.Node, key: str) -> Iterator[tuple[int, str]]:
