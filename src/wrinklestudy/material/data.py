@@ -32,9 +32,12 @@ from wrinklestudy.material.homogeneous import MODES
 from wrinklestudy.typing import AnyPath, Array, Indices, Mask
 from wrinklestudy.vocabulary import Limits
 
-# Larger strains are per cent.
-STRAIN_LIMITS = Limits(-1.0, 10.0, above_lowest=True)
-_POSITIVE = Limits(0.0, above_lowest=True)
+# Larger strains are per cent; no rubber is pressed to less than a hundredth.
+STRAIN_LIMITS = Limits(-0.99, 10.0)
+# Beyond these lie slips of the pen, and numbers whose powers are none.
+STRESS_LIMITS = Limits(-1e15, 1e15)
+_ERROR_LIMITS = Limits(1e-6, 1e15)
+_LENGTH_LIMITS = Limits(1e-6, 1e9)  # in mm
 _LENGTHS = {"mm": 1.0, "cm": 10.0, "m": 1e3, "um": 1e-3, "\N{MICRO SIGN}m": 1e-3}
 _PASCALS = {"pa": 1.0, "kpa": 1e3, "mpa": 1e6}
 
@@ -54,7 +57,7 @@ def strain_column(limits: Limits = STRAIN_LIMITS, needed: bool = True) -> Number
 _STRETCH = NumberColumn(
     "stretch",
     {"stretch": 1.0},
-    Limits(0.0, 1.0 + STRAIN_LIMITS.highest, above_lowest=True),
+    Limits(0.01, 1.0 + STRAIN_LIMITS.highest),
     "1 is undeformed",
     needed=False,
 )
@@ -63,15 +66,17 @@ _EXTENSION = NumberColumn(
     {"extension_mm": 1.0, "extension_m": 1e3, "displacement_mm": 1.0, "displacement_m": 1e3},
     needed=False,
 )
-_STRESS = NumberColumn("stress", stress_spellings("stress"), needed=False)
+_STRESS = NumberColumn("stress", stress_spellings("stress"), STRESS_LIMITS, needed=False)
 _FORCE = NumberColumn(
     "force", {"force_n": 1.0, "load_n": 1.0, "force_kn": 1e3, "load_kn": 1e3}, needed=False
 )
-_ERROR = NumberColumn("standard_error", stress_spellings("standard_error"), _POSITIVE, needed=False)
+_ERROR = NumberColumn(
+    "standard_error", stress_spellings("standard_error"), _ERROR_LIMITS, needed=False
+)
 _COLUMNS = (_STRETCH, strain_column(needed=False), _EXTENSION, _STRESS, _FORCE, _ERROR)
 _WORDS = (WordColumn("mode", MODES, MODES[0]), WordColumn("branch", BRANCHES, ""))
 _EXAMPLES = {"gauge length": "80 mm", "width": "10 mm", "thickness": "1 mm"}
-_NOTES = tuple(NumberNote(name, _POSITIVE, _LENGTHS) for name in _EXAMPLES)
+_NOTES = tuple(NumberNote(name, _LENGTH_LIMITS, _LENGTHS) for name in _EXAMPLES)
 # A window that ends at 1.14 takes a point at strain 0.14, whose stretch is 1.1400000000000001.
 _EDGE = 1e-9
 
@@ -237,7 +242,15 @@ def _stress(table: NumberTable) -> Array:
     if "stress" in table.numbers:
         return table.numbers["stress"]
     width, thickness = (_size(table, name, "force") for name in ("width", "thickness"))
-    return table.numbers["force"] / (width * thickness * 1e-6)
+    stress: Array = table.numbers["force"] / (width * thickness * 1e-6)
+    for line, value in zip(table.lines, stress, strict=True):
+        if float(value) not in STRESS_LIMITS:
+            raise ValueError(
+                f"{table.path}, line {line}, column {table.spelled['force']}: is a stress of "
+                f"{value:g} Pa, which must be {STRESS_LIMITS}; is the specimen {width:g} mm wide "
+                f"and {thickness:g} mm thick?"
+            )
+    return stress
 
 
 def _size(table: NumberTable, name: str, column: str) -> float:

@@ -17,7 +17,7 @@ from wrinklestudy.files.number_table import (
     NumberTable,
     read_number_table,
 )
-from wrinklestudy.material.data import strain_column, stress_spellings
+from wrinklestudy.material.data import STRESS_LIMITS, strain_column, stress_spellings
 from wrinklestudy.metrics.measure import Measures
 from wrinklestudy.metrics.profile import Profile
 from wrinklestudy.metrics.scan import measure_scan
@@ -124,7 +124,7 @@ def kind(path: str | PathLike[str]) -> str:
 _ERROR_LIMITS = Limits(0.0)
 _STRESS_TABLE = (
     strain_column(),
-    NumberColumn("stress", stress_spellings("stress")),
+    NumberColumn("stress", stress_spellings("stress"), STRESS_LIMITS),
     NumberColumn("error", stress_spellings("error"), _ERROR_LIMITS, needed=False, gaps=True),
 )
 _SHEET_TABLE = (

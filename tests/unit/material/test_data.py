@@ -42,7 +42,7 @@ def test_header_note_blank_lines_spaces_quotes_and_byte_order_mark(tmp_path: Pat
 
 rows = st.lists(
     st.tuples(
-        st.floats(1e-3, 11.0),
+        st.floats(0.01, 11.0),
         st.floats(-1e9, 1e9),
         st.sampled_from(MODES),
         st.floats(1e-3, 1e9),
@@ -79,13 +79,25 @@ def test_what_is_written_is_what_is_read(
         ("strain,stress_pa\n0,0\n\n0.1,\n", ["line 4", "stress_pa", "''", "a number is needed"]),
         ("strain,stress_pa\n0.1,1.0e5 Pa\n", ["line 2", "stress_pa", "'1.0e5 Pa'"]),
         ("strain,stress_pa\n0.1,nan\n", ["line 2", "stress_pa", "'nan'", "a number is needed"]),
-        ("strain,stress_pa\n-1,1\n", ["line 2", "strain", "> -1"]),
-        ("stretch,stress_pa\n0,1\n", ["line 2", "stretch", "> 0"]),
+        ("strain,stress_pa\n-1,1\n", ["line 2", "strain", ">= -0.99"]),
+        ("stretch,stress_pa\n1,0\n1e-300,1\n", ["line 3", "stretch", ">= 0.01"]),
+        (
+            "stretch,stress_mpa\n1,0\n1.1,1e200\n",
+            ["line 3", "stress_mpa", "must be >= -1e+09 and <= 1e+09"],
+        ),
+        (
+            "# width: 1 mm\n# thickness: 1e-5 mm\nstretch,force_n\n1,0\n1.1,1e12\n",
+            ["line 5", "force_n", "a stress of 1e+23 Pa"],
+        ),
+        ("stretch,stress_pa\n0,1\n", ["line 2", "stretch", ">= 0.01"]),
         (
             "stretch,stress_pa,mode\n1,1,planar\n",
             ["line 2", "'planar'", "uniaxial, biaxial, shear"],
         ),
-        ("stretch,stress_pa,standard_error_pa\n1,1,0\n", ["line 2", "standard_error_pa", "> 0"]),
+        (
+            "stretch,stress_pa,standard_error_pa\n1,1,0\n",
+            ["line 2", "standard_error_pa", ">= 1e-6"],
+        ),
     ],
 )
 def test_a_bad_file_gets_one_line_with_file_place_and_remedy(

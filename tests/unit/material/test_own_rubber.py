@@ -79,7 +79,7 @@ def test_units_and_signs_change_nothing(tmp_path_factory, along, pull, separator
         ("strain,load_n\n0,0\n", ["'# width: 10 mm' is missing", "load_n needs the width"]),
         ("# width: 3\nstrain,load_n\n0,0\n", ["'# thickness: 1 mm' is missing"]),
         ("# width: 3 inch\nstrain,load_n\n0,0\n", ["line 1, width", "'inch'", "mm, cm, m, um"]),
-        ("# width: -3 mm\nstrain,load_n\n0,0\n", ["line 1, width", "-3 mm must be > 0"]),
+        ("# width: -3 mm\nstrain,load_n\n0,0\n", ["line 1, width", "-3 mm must be >= 1e-6"]),
         ("# width: 1,250 mm\nstrain,load_n\n0,0\n", ["line 1, width", "is not a number"]),
         (
             "# gauge length: 0.064\nextension_mm,stress_pa\n6.4,0\n",
