@@ -134,3 +134,12 @@ def test_the_energy_of_a_small_strain_keeps_its_digits(strain):
         context.prec = 60
         exact = float(_energy(law, [Decimal(value) for value in metric]))
     assert law.energy(np.array(metric)) == pytest.approx(exact, rel=0.0, abs=1e-15)
+
+
+def test_a_term_of_exponent_zero_is_the_limit_of_small_exponents():
+    """(mu/alpha)(l1^alpha + l2^alpha + l3^alpha - 3) goes to mu ln(l1 l2 l3) = 0."""
+    metric = np.array([1.7, 0.7, 0.2])
+    zero, small = Ogden(1.0, 2.0, 0.8, 0.0), Ogden(1.0, 2.0, 0.8, 1e-9)
+    assert zero.energy(metric) == pytest.approx(small.energy(metric), rel=1e-8)
+    for mine, near in zip(zero.derivatives(metric), small.derivatives(metric), strict=True):
+        np.testing.assert_allclose(mine, near, rtol=1e-7, atol=1e-8)

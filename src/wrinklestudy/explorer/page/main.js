@@ -28,29 +28,36 @@ function setControls() {
   part("zoom").closest(".inner").hidden = !HAS_WEBGL;
 }
 
-function drawAll() {
+// In this order; three dimensions take longest.
+const STEPS = [...Object.keys(CURVES).map((id) => () => drawCurve(id)), drawProfile, listen,
+  drawMap, drawTension, drawSheetAndListen];
+
+function showChoice() {
+  clearTimeout(waiting);
   fillChoices();
   setControls();
-  Object.keys(CURVES).forEach(drawCurve);
-  drawProfile();
-  listen();
   speak(sayState());
   writeFragment();
-  clearTimeout(waiting);
-  const first = !plot("sheet").data;
-  if (!first) drawMaps();
-  // three dimensions take longest, and everything else works without them
-  waiting = setTimeout(first ? drawRest : drawSheetAndListen, first ? 30 : 0);
 }
 
-function drawMaps() {
-  drawMap();
-  drawTension();
+function drawAll() {
+  showChoice();
+  if (document.documentElement.dataset.sheet !== "drawn") return drawInTurn(STEPS);
+  STEPS.slice(0, -1).forEach((draw) => draw());
+  waiting = setTimeout(drawSheetAndListen, 0);
 }
 
-function drawRest() {
-  drawMaps();
-  waiting = setTimeout(drawSheetAndListen, 30);
+// At first the page answers between the plots: controls and numbers work before there is any.
+function drawInTurn([draw, ...others]) {
+  waiting = setTimeout(() => {
+    draw();
+    if (others.length) drawInTurn(others);
+  }, 0);
+}
+
+function drawNow() {
+  showChoice();
+  STEPS.forEach((draw) => draw());
 }
 
 function drawSheetAndListen() {
@@ -160,10 +167,9 @@ function startPrint() {
   themeBefore = VIEW.theme;
   document.documentElement.classList.add("printing");
   Plotly.purge(plot("sheet")); // a scene that was turned keeps its width on the screen
-  redrawn("light");
-  clearTimeout(waiting);
-  drawMaps();
-  drawSheetAndListen();
+  VIEW.theme = "light";
+  applyTheme();
+  drawNow();
   document.querySelectorAll(".plot").forEach((element) => {
     const { clientWidth: width, clientHeight: height } = element;
     if (element.data && width) Plotly.relayout(element, { width, height });

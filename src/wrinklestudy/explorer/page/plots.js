@@ -55,6 +55,7 @@ function drawCurve(id) {
 }
 
 function moveCurve(id) {
+  if (!plot(id).data) return;
   const curve = CURVES[id], states = VIEW.sheet.states;
   const value = scaled([states[curve.column][VIEW.index]], curve.factor);
   moveMark(id, [states.strain[VIEW.index]], value);
@@ -81,6 +82,7 @@ function drawProfile() {
 }
 
 function moveProfile() {
+  if (!plot("profile").data) return;
   const sheet = VIEW.sheet, profile = profileOf(sheet, VIEW.index) ?? { y: [], z: [] };
   const height = sheet.states.amplitude_over_thickness[VIEW.index];
   const y = height ? [profile.y[0], profile.y[profile.y.length - 1]] : [];
@@ -154,7 +156,7 @@ function drawFromAbove() {
 }
 
 function moveSheet() {
-  if (!plot("sheet").data) return; // it is drawn a little later than all else
+  if (!plot("sheet").data) return; // it is drawn a little later than the controls
   if (!HAS_WEBGL) return drawSheet();
   const surface = surfaceOf(VIEW.sheet, VIEW.index) ?? NOTHING;
   Plotly.restyle(plot("sheet"), { visible: surface !== NOTHING, x: [surface.x], y: [surface.y], z: [lifted(surface)],

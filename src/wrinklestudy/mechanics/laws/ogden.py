@@ -127,7 +127,7 @@ class Ogden(IncompressibleLaw):
         for modulus, exponent in self.terms:
             s = 0.5 * exponent
             raised = _raised_sum(s, eigenvalues) + np.expm1(-s * np.log(det))
-            total = total + modulus / exponent * raised
+            total = total + _factor(modulus, exponent) * raised
         return total
 
     def slopes(self, trace: Array, det: Array) -> Slopes:
@@ -136,7 +136,7 @@ class Ogden(IncompressibleLaw):
         m = eigenvalues.mean
         sums = [np.zeros_like(det) for _ in range(5)]
         for modulus, exponent in self.terms:
-            s, factor = 0.5 * exponent, modulus / exponent
+            s, factor = 0.5 * exponent, _factor(modulus, exponent)
             by_m, by_q, by_m2, mixed, by_q2 = _power_sum_slopes(s, eigenvalues)
             pressed = s * det ** (-s - 1.0)  # -d/dD of l3^alpha = D^-s
             # m = T/2 and q = T^2/4 - D
@@ -146,6 +146,11 @@ class Ogden(IncompressibleLaw):
             sums[3] -= factor * (0.5 * mixed + m * by_q2)
             sums[4] += factor * (by_q2 + (s + 1.0) * pressed / det)
         return Slopes(*sums)
+
+
+def _factor(modulus: float, exponent: float) -> float:
+    """Return mu/alpha, and 0 for alpha = 0, where the term tends to mu ln(l1 l2 l3) = 0."""
+    return modulus / exponent if exponent != 0.0 else 0.0
 
 
 class _Eigenvalues(NamedTuple):
