@@ -343,9 +343,10 @@ def test_an_interrupt_is_one_line_and_status_130(jobs):
         stderr=subprocess.PIPE,
         text=True,
     )
-    time.sleep(2.0)
+    first = process.stderr.readline()  # it is at work then, however long it took to begin
     process.send_signal(signal.SIGINT)
     _, err = process.communicate(timeout=60)
+    assert "strain 0.1 " in first
     assert process.returncode == 130
     assert err.splitlines()[-1] == "wrinklestudy solve: interrupted"
     assert "Traceback" not in err
