@@ -9,6 +9,7 @@ import importlib.util
 import os
 import sys
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -115,6 +116,12 @@ def _accurate(solve: Callable[[Array], Array], upper: sparse.csr_array, rhs: Arr
     )
 
 
+def _of_scaled(solve: Callable[[Array], Array], scale: Array, rhs: Array) -> Array:
+    """Return S y of S K S y = S b: the solution of K x = b by the factors of the scaled matrix."""
+    factor = scale if rhs.ndim == 1 else scale[:, None]
+    return factor * solve(np.asfortranarray(factor * rhs))
+
+
 class PardisoSolver:
     """Cholesky factorisation by PARDISO."""
 
@@ -189,10 +196,8 @@ class PardisoIndefinite:
         return solution + self._once(rhs - multiply(self._upper, solution))
 
     def _once(self, rhs: Array) -> Array:
-        scale = self._scale if rhs.ndim == 1 else self._scale[:, None]
         self._solver.set_phase(33)
-        solution: Array = self._solver._call_pardiso(self._scaled, np.asfortranarray(scale * rhs))
-        return scale * solution
+        return _of_scaled(partial(self._solver._call_pardiso, self._scaled), self._scale, rhs)
 
     def _release(self) -> None:
         if self._solver is not None:
@@ -249,7 +254,8 @@ class SuperLUSolver:
 
     def factorise(self, upper: sparse.csr_array) -> None:
         """Factorise a positive definite matrix."""
-        factor, scale = _without_pivoting(upper)
+        unit, scale = scaled(upper)
+        factor = _without_pivoting(unit)
         if not np.all(factor.U.diagonal() > 0):
             raise NotPositiveDefiniteError("zero or negative pivot")
         self._factor, self._scale, self._upper = factor, scale, upper
@@ -261,9 +267,7 @@ class SuperLUSolver:
         return _accurate(self._once, self._upper, rhs)
 
     def _once(self, rhs: Array) -> Array:
-        scale = self._scale if rhs.ndim == 1 else self._scale[:, None]
-        solution: Array = scale * self._factor.solve(scale * rhs)
-        return solution
+        return _of_scaled(self._factor.solve, self._scale, rhs)
 
 
 class SuperLUIndefinite:
@@ -279,9 +283,8 @@ class SuperLUIndefinite:
         """Factorise a symmetric matrix and count its negative eigenvalues."""
         from scipy.sparse.linalg import splu
 
-        factor, _ = _without_pivoting(upper)
-        self.negative_eigenvalues = int(np.sum(factor.U.diagonal() < 0))
         unit, self._scale = scaled(upper)
+        self.negative_eigenvalues = int(np.sum(_without_pivoting(unit).U.diagonal() < 0))
         self._factor, self._upper = splu(symmetric(unit).tocsc()), upper
 
     def solve(self, rhs: Array) -> Array:
@@ -291,16 +294,13 @@ class SuperLUIndefinite:
         return _accurate(self._once, self._upper, rhs)
 
     def _once(self, rhs: Array) -> Array:
-        scale = self._scale if rhs.ndim == 1 else self._scale[:, None]
-        solution: Array = scale * self._factor.solve(scale * rhs)
-        return solution
+        return _of_scaled(self._factor.solve, self._scale, rhs)
 
 
-def _without_pivoting(upper: sparse.csr_array) -> tuple[Any, Array]:
-    """Return SuperLU's factor, whose pivots have the signs of the eigenvalues, and the scaling."""
+def _without_pivoting(unit: sparse.csr_array) -> Any:
+    """Return SuperLU's factor of a scaled matrix; its pivots have the signs of the eigenvalues."""
     from scipy.sparse.linalg import splu
 
-    unit, scale = scaled(upper)
     factor = splu(
         symmetric(unit).tocsc(),
         permc_spec="MMD_AT_PLUS_A",
@@ -309,4 +309,4 @@ def _without_pivoting(upper: sparse.csr_array) -> tuple[Any, Array]:
     )
     if not np.array_equal(factor.perm_r, factor.perm_c):
         raise ArithmeticError("SuperLU left the diagonal: a pivot is zero")
-    return factor, scale
+    return factor
